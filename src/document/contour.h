@@ -1,0 +1,37 @@
+// Outlines as drawn, in pixels of their sketch.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/types.h"
+
+namespace artisketch {
+
+// A closed line is a polygon whose last point joins the first; an open one is a stroke.
+struct Polyline {
+  std::vector<Vec2> points;  // pixels; three or more where closed, two or more where open
+  bool closed = true;
+  std::size_t segments() const { return closed ? points.size() : points.size() - 1; }
+  const Vec2& end_of(std::size_t segment) const { return points[(segment + 1) % points.size()]; }
+};
+
+double signed_area(
+    const Polyline& closed);  // pixels²; positive where the points run clockwise on screen (y down)
+double length(const Polyline& line);
+Box2 bounds(std::span<const Polyline> lines);
+
+// Points at equal steps of at most `step` pixels along the line, starting at its first point; an
+// open line keeps its last point too. At least three for a closed line.
+Polyline resampled(const Polyline& line, double step);
+
+// Where the line first crosses itself, if it does: segments that are not neighbours and share a
+// point. Expected time near-linear in the points (bucket grid).
+std::optional<Vec2> self_crossing(const Polyline& line);
+
+// Centroid of the area inside the closed lines by the even-odd rule; the mean of all points where
+// that area is nothing.
+Vec2 centroid(std::span<const Polyline> lines);
+
+}  // namespace artisketch

@@ -1,0 +1,102 @@
+// The sketch document as the user made it. FORMAT.md is the contract; the file itself is read and
+// written by files/document_file. Angles are radians here and degrees in the file.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/camera.h"
+#include "document/contour.h"
+#include "document/skeleton.h"
+
+namespace artisketch {
+
+// Every struct keeps, in `unknown`, the fields of its JSON object that this version doesn't know
+// (a JSON object as text, empty where there are none), so that writing loses nothing.
+
+struct Contour {
+  int joint = 0;
+  Polyline line;
+  std::string unknown;
+};
+
+struct Frame {
+  std::string name;
+  int width = 0, height = 0;            // pixels of the sketch
+  std::string image;                    // path relative to the document or data: URI; empty: none
+  std::optional<Vec2> principal_point;  // pixels; absent: the image's centre
+  double scale = 1;                     // orthographic cameras: times pixels_per_unit
+  Pose pose;                            // the user's estimate
+  std::vector<Contour> contours;
+  std::string unknown;
+};
+
+struct CalibrationLimits {
+  std::optional<double> max_rotation;     // radians from the user's rotation, per joint
+  std::optional<double> max_translation;  // units from the user's root position, per frame
+  std::vector<int> locked;                // joints that keep the user's rotation
+  bool free_first_frame = false;
+  bool scale = false;  // find each frame's scale (orthographic)
+  std::string unknown;
+};
+
+struct SphereTweak {
+  std::optional<double> radius;  // units
+  Vec3 offset = Vec3::Zero();    // from the joint, rest space, units
+  std::string unknown;
+};
+
+struct PartSettings {
+  double fatness = 1;
+  std::string unknown;
+};
+
+struct Key {
+  double time = 0;  // seconds
+  Pose pose;
+  std::string unknown;
+};
+
+struct Animation {
+  std::string name;
+  std::vector<Key> keys;  // times strictly increase
+  std::string unknown;
+};
+
+// What the command line's flags default to for this document.
+struct DocumentSettings {
+  std::optional<int> grid;
+  std::optional<std::string> method;
+  std::optional<bool> mirror;
+  std::optional<int> triangles;
+  std::optional<bool> texture;
+  std::string unknown;
+};
+
+struct Document {
+  std::string name;
+  Camera camera;
+  std::string camera_unknown;
+  Skeleton skeleton;
+  std::string skeleton_unknown;
+  std::vector<Frame> frames;
+  CalibrationLimits calibration;
+  std::map<int, SphereTweak> spheres;  // by joint
+  std::map<int, PartSettings> parts;   // by joint
+  std::vector<Animation> animations;
+  DocumentSettings settings;
+  std::string unknown;
+};
+
+// The camera of one frame, principal point and scale resolved.
+FrameCamera frame_camera(const Document& document, int frame);
+
+// The lines that outline a joint's part in a frame, in the order drawn.
+std::vector<Polyline> contours_of(const Frame& frame, int joint);
+
+// Joints that carry a contour in at least one frame, ascending.
+std::vector<int> drawn_joints(const Document& document);
+
+}  // namespace artisketch

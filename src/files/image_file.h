@@ -1,0 +1,31 @@
+// Images: PNG and JPEG in, PNG out.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "document/document.h"
+
+namespace artisketch {
+
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;  // rows from the top, straight alpha
+  Image() = default;
+  Image(int width, int height)
+      : width(width), height(height), rgba(std::size_t(width) * height * 4, 255) {}
+  std::uint8_t* at(int x, int y) { return &rgba[4 * (std::size_t(y) * width + x)]; }
+  const std::uint8_t* at(int x, int y) const { return &rgba[4 * (std::size_t(y) * width + x)]; }
+};
+
+Result<Image> decode_image(std::string_view bytes, const std::string& name);
+std::string png_bytes(const Image& image);
+
+// A frame's drawing: a path relative to the document's folder, or a data: URI. An empty image where
+// the frame has none.
+Result<Image> load_frame_image(const Frame& frame, const std::string& document_path);
+
+}  // namespace artisketch

@@ -1,0 +1,55 @@
+// A part's virtual cameras (the paper's section 2.1).
+#include "model/stages.h"
+
+namespace artisketch {
+
+Ray PartView::ray(const Vec2& pixel) const {
+  const Ray world = camera.ray(pixel);
+  const Transform to_rest = to_world.inverse();
+  return {to_rest * world.origin, to_rest.linear() * world.direction};
+}
+
+std::vector<Part> parts_of(const Document& document) {
+  const std::vector<Vec3> rest = rest_positions(document.skeleton);
+  const std::vector<Bone> all_bones = bones(document.skeleton);
+  std::vector<std::vector<Transform>> to_world;
+  for (const Frame& frame : document.frames)
+    to_world.push_back(skinning_transforms(document.skeleton, frame.pose));
+  std::vector<Part> parts;
+  for (const int joint : drawn_joints(document)) {
+    Part part;
+    part.joint = joint;
+    part.name = document.skeleton.joints[joint].name;
+    part.origin = rest[joint];
+    if (const auto it = document.parts.find(joint); it != document.parts.end())
+      part.fatness = it->second.fatness;
+    for (const Bone& bone : all_bones)
+      if (bone.joint == joint) part.bones.push_back(bone);
+    for (int f = 0; f < int(document.frames.size()); ++f) {
+      PartView view;
+      view.contours = contours_of(document.frames[f], joint);
+      if (view.contours.empty()) continue;
+      view.frame = f;
+      view.camera = frame_camera(document, f);
+      view.to_world = to_world[f][joint];
+      std::vector<std::vector<Vec2>> closed;
+      for (const Polyline& line : view.contours)
+        if (line.closed) closed.push_back(line.points);
+      view.outline = PolygonDistance(closed);
+      part.views.push_back(std::move(view));
+    }
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+Document with_poses(const Document& document, const Calibration& calibration) {
+  Document moved = document;
+  for (std::size_t f = 0; f < moved.frames.size(); ++f) {
+    moved.frames[f].pose = calibration.poses[f];
+    moved.frames[f].scale = calibration.scales[f];
+  }
+  return moved;
+}
+
+}  // namespace artisketch

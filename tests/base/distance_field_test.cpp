@@ -1,0 +1,72 @@
+#include "base/distance_field.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace artisketch {
+namespace {
+
+std::vector<Vec2> circle(const Vec2& centre, double radius, int n) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < n; ++i)
+    points.push_back(centre + radius * Vec2(std::cos(2 * kPi * i / n), std::sin(2 * kPi * i / n)));
+  return points;
+}
+
+double brute_force(const std::vector<std::vector<Vec2>>& polygons, const Vec2& p) {
+  double best = 1e300;
+  bool inside = false;
+  for (const auto& polygon : polygons)
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()], d = b - a;
+      const double t = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+      best = std::min(best, (p - a - t * d).norm());
+      if ((a.y() > p.y()) != (b.y() > p.y()) &&
+          p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
+        inside = !inside;
+    }
+  return inside ? -best : best;
+}
+
+TEST(PolygonDistance, MatchesBruteForceOnARingAndASpike) {
+  const std::vector<std::vector<Vec2>> polygons = {
+      circle({50, 50}, 40, 90), circle({50, 50}, 15, 30), {{100, 10}, {300, 12}, {101, 14}}};
+  const PolygonDistance field(polygons);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> x(-100, 400), y(-100, 200);
+  for (int i = 0; i < 5000; ++i) {
+    const Vec2 p(x(random), y(random));
+    ASSERT_NEAR(field.distance(p), brute_force(polygons, p), 1e-9) << p.transpose();
+  }
+}
+
+TEST(PolygonDistance, GradientIsTheUnitVectorOutward) {
+  const PolygonDistance field(std::vector<std::vector<Vec2>>{circle({0, 0}, 10, 720)});
+  for (const double r : {2.0, 9.0, 11.0, 30.0}) {
+    Vec2 g;
+    field.distance(Vec2(0.6, 0.8) * r, g);
+    EXPECT_NEAR(g.dot(Vec2(0.6, 0.8)), 1, 1e-3);
+    EXPECT_NEAR(g.norm(), 1, 1e-9);
+  }
+}
+
+TEST(PolygonDistance, WithoutPolygonsEverythingIsFarOutside) {
+  EXPECT_GT(PolygonDistance().distance({0, 0}), 1e300);
+  EXPECT_TRUE(PolygonDistance().empty());
+}
+
+TEST(SampledDistance, StaysWithinATenthOfAPixel) {
+  const PolygonDistance exact(std::vector<std::vector<Vec2>>{circle({60, 40}, 25, 100)});
+  const SampledDistance sampled(exact, 1, 20);
+  for (double y = 0; y < 80; y += 3.7)
+    for (double x = 10; x < 110; x += 3.3) {
+      if (std::hypot(x - 60, y - 40) < 3) continue;  // at the centre the distance has a corner
+      EXPECT_NEAR(sampled.distance({x, y}), exact.distance({x, y}), 0.1);
+    }
+  EXPECT_NEAR(sampled.distance({400, 40}), exact.distance({400, 40}), 3);
+}
+
+}  // namespace
+}  // namespace artisketch
