@@ -210,6 +210,9 @@ struct Clip {
   std::vector<Pose> poses;
 };
 
+// Clip `frames`, one key a second at the document's poses, then the document's own animations.
+std::vector<Clip> clips_of(const Document& document);
+
 struct Model {
   std::string name;
   Skeleton skeleton;
