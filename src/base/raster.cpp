@@ -16,7 +16,10 @@ bool usable(const Vec2& p) {
 
 // The first of n pixels whose centre lies at or beyond x.
 int first_pixel(double x, int n) {
-  return int(std::clamp(std::ceil(x - 0.5), 0.0, double(n)));
+  // Truncation in place of std::ceil, which is a call on plain x86-64 and half the time of a mask.
+  const double t = std::clamp(x - 0.5, 0.0, double(n));
+  const int whole = int(t);
+  return whole + (t > whole);
 }
 
 // An edge that runs down the raster. Whoever shares it computes the same crossings, digit for
@@ -201,16 +204,22 @@ Visible raster_triangles(std::span<const Vec2> pixels, std::span<const double> d
           share = plane(a, b, c, 1 / w[i], 1 / w[j], 1 / w[k]);
         }
       }
-      for (int x = x0; x < x1; ++x) {
-        double d = value(x + 0.5, y + 0.5);
-        if (!w.empty()) d /= share(x + 0.5, y + 0.5);
-        const float z = float(std::clamp(d, nearest, farthest));
-        const std::size_t at = std::size_t(y) * width + x;
-        if (z < seen.depth[at]) {
-          seen.depth[at] = z;
-          seen.face[at] = f;
+      const float low = float(nearest), high = float(farthest);
+      const float v0 = float(value(x0 + 0.5, y + 0.5)), dv = float(value.dx);
+      const float s0 = float(share(x0 + 0.5, y + 0.5)), ds = float(share.dx);
+      float* z = &seen.depth[std::size_t(y) * width + x0];
+      int* face = &seen.face[std::size_t(y) * width + x0];
+      const auto keep = [&](int n, float d) {
+        d = std::clamp(d, low, high);
+        if (d < z[n]) {
+          z[n] = d;
+          face[n] = f;
         }
-      }
+      };
+      if (w.empty())
+        for (int n = 0; n < x1 - x0; ++n) keep(n, v0 + dv * n);
+      else
+        for (int n = 0; n < x1 - x0; ++n) keep(n, (v0 + dv * n) / (s0 + ds * n));
     });
   }
   return seen;
