@@ -19,7 +19,7 @@
 namespace artisketch {
 namespace {
 
-constexpr int kVoxels[] = {32, 64, 128};  // along a part's cube, from coarse to fine
+constexpr int kVoxels[] = {24, 48, 96};  // along a part's cube, from coarse to fine
 constexpr int kLevels = 3;
 constexpr int kIterations = 15;    // at most, of each level
 constexpr int kDollyEvery = 3;     // iterations between searches along the view axis
@@ -253,7 +253,8 @@ Result<Refined> refine(const Document& document, int newest, const Pose& user,
       cube = std::max(cube, part.cube.cell * side);
     }
     const bool single = parts.size() == 1 && parts[0].joint == 0;
-    const bool perspective = document.camera.type == Camera::Type::perspective;
+    // The finest voxels would tell no more of the depth, at a dozen times the cost.
+    const bool searching = document.camera.type == Camera::Type::perspective && level + 1 < kLevels;
     span = level == 0 ? cube / 4 : span / 2;
     // Energies of two resolutions don't compare: each starts anew from the coarser one's best.
     Pose pose = best;
@@ -275,10 +276,10 @@ Result<Refined> refine(const Document& document, int newest, const Pose& user,
         change = std::max(change, next.rotations[j].angularDistance(pose.rotations[j]));
       pose = next;
       ++out.iterations;
-      if (perspective && i % kDollyEvery == kDollyEvery - 1) {
+      if (searching && i % kDollyEvery == kDollyEvery - 1) {
         pose = dollied(document, parts, hits, user, pose, limits, span);
         span *= 0.8;
-      } else if (!perspective && change < kSettled) {
+      } else if (!searching && change < kSettled) {
         break;
       }
       run.report((level + double(i + 1) / kIterations) / kLevels);

@@ -71,18 +71,19 @@ struct HitVoxels::Tree {
 
 HitVoxels::HitVoxels(const VoxelCube& cube, const std::vector<std::vector<std::vector<int>>>& rays)
     : cube_(cube), hits_(std::size_t(cube.side) * cube.side * cube.side, 0) {
-  std::vector<int> last(hits_.size(), -1);
+  std::vector<int> last(hits_.size(), -1), touched;
   for (int f = 0; f < int(rays.size()); ++f) {
     frames_ += !rays[f].empty();
     for (const std::vector<int>& ray : rays[f])
       for (const int voxel : ray)
         if (last[voxel] != f && hits_[voxel] < 255) {
+          if (last[voxel] < 0) touched.push_back(voxel);
           last[voxel] = f;
           ++hits_[voxel];
         }
   }
   std::vector<std::vector<int>> voxels(std::min(frames_, 255));
-  for (int v = 0; v < int(hits_.size()); ++v)
+  for (const int v : touched)
     for (int h = 0; h < hits_[v]; ++h) voxels[h].push_back(v);
   for (std::vector<int>& list : voxels)
     if (!list.empty()) at_least_.push_back(std::make_unique<Tree>(std::move(list), cube.side));
@@ -104,19 +105,22 @@ HitVoxels::Pair HitVoxels::best_pair(const std::vector<int>& ray, double lambda,
     if (hits_[voxel]) offer(voxel, voxel, 0);
   for (int h = int(at_least_.size()); h-- > 0;) {
     const double unseen = lambda * (frames_ - (h + 1));
-    for (const int voxel : ray) {
+    const Tree& tree = *at_least_[h];
+    for (std::size_t i = 0; i < ray.size();) {
       const double bound = std::min(reach, best.cost - unseen) / cube_.cell;
       if (bound <= 1e-9) break;
-      const Tree& tree = *at_least_[h];
-      const double at[3] = {tree.coordinate(voxel, 0), tree.coordinate(voxel, 1),
-                            tree.coordinate(voxel, 2)};
+      const double at[3] = {tree.coordinate(ray[i], 0), tree.coordinate(ray[i], 1),
+                            tree.coordinate(ray[i], 2)};
       std::size_t found = 0;
       double squared = 0;
       nanoflann::KNNResultSet<double> nearest(1);
       nearest.init(&found, &squared);
-      squared = bound * bound;  // nothing farther is of use
       tree.index.findNeighbors(nearest, at, nanoflann::SearchParams());
-      if (nearest.size()) offer(voxel, tree.voxels[found], std::sqrt(squared) * cube_.cell);
+      const double distance = std::sqrt(squared);
+      if (distance < bound) offer(ray[i], tree.voxels[found], distance * cube_.cell);
+      // Voxels along the ray are a step of one apart, so the next ones are no nearer than this.
+      const double near = std::min(bound, std::min(reach, best.cost - unseen) / cube_.cell);
+      i += std::max(1, int(std::ceil(distance - near)));
     }
   }
   if (best.on_ray < 0) best.cost = best.distance = reach;
