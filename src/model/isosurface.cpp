@@ -5,8 +5,8 @@
 // looks at the face alone, so the two cubes beside it agree, and every grid edge that changes sign
 // carries one vertex with exactly one polygon in each of its four cubes: the polygons make a closed
 // 2-manifold. It stays one in triangles as long as no diagonal lies in a cube's face, where the
-// cube next door could draw the same: the table uses none, and a polygon that can't do without gets
-// a vertex in its middle. Connecting the negative corners keeps thin parts in one piece.
+// cube next door could draw the same; every polygon of the 256 cubes has such a triangulation.
+// Connecting the negative corners keeps thin parts in one piece.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -55,7 +55,6 @@ constexpr bool share_a_face(int e, int f) {
 struct Case {
   std::vector<std::array<std::uint8_t, 4>> quads;  // either diagonal will do
   std::vector<std::array<std::uint8_t, 3>> triangles;
-  std::vector<std::vector<std::uint8_t>> fans;  // polygons to be filled from their middle
 };
 
 using Loop = std::vector<std::uint8_t>;  // edges of a cube, in the order a polygon visits them
@@ -102,8 +101,8 @@ double middle_distance(int e, int f) {
   return std::sqrt(sum);
 }
 
-// The cheapest triangulation of loop[first … last]: shortest diagonals, none in a face. Returns the
-// cost, infinite where there is none.
+// The triangulation of loop[first … last] with the shortest diagonals, none in a face. Returns
+// their length, infinite where there is none.
 double triangulate(const Loop& loop, int first, int last,
                    std::vector<std::array<std::uint8_t, 3>>& out) {
   out.clear();
@@ -135,10 +134,9 @@ std::vector<Case> all_cases() {
       std::vector<std::array<std::uint8_t, 3>> triangles;
       if (loop.size() == 4 && !share_a_face(loop[0], loop[2]) && !share_a_face(loop[1], loop[3]))
         c.quads.push_back({loop[0], loop[1], loop[2], loop[3]});
-      else if (triangulate(loop, 0, int(loop.size()) - 1, triangles) < 1e9)
-        c.triangles.insert(c.triangles.end(), triangles.begin(), triangles.end());
       else
-        c.fans.push_back(loop);
+        triangulate(loop, 0, int(loop.size()) - 1, triangles);
+      c.triangles.insert(c.triangles.end(), triangles.begin(), triangles.end());
     }
   return cases;
 }
@@ -241,14 +239,6 @@ class March {
       const bool other = (V_[v[1]] - V_[v[3]]).squaredNorm() < (V_[v[0]] - V_[v[2]]).squaredNorm();
       F_.emplace_back(v[0], v[1], v[other ? 3 : 2]);
       F_.emplace_back(v[other ? 1 : 0], v[2], v[3]);
-    }
-    for (const Loop& loop : c.fans) {
-      Vec3 middle = Vec3::Zero();
-      for (const int e : loop) middle += V_[vertex(e)] / double(loop.size());
-      const int centre = int(V_.size());
-      V_.push_back(middle);
-      for (std::size_t e = 0; e < loop.size(); ++e)
-        F_.emplace_back(vertex(loop[e]), vertex(loop[(e + 1) % loop.size()]), centre);
     }
   }
 
