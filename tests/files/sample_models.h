@@ -11,12 +11,12 @@
 namespace artisketch {
 
 // A unit sphere about the origin on two joints, with clip `frames` of three keys.
-inline Model two_joint_model() {
+inline Model two_joint_model(int subdivisions = 2) {
   Model model;
   model.name = "ball";
   model.skeleton.joints = {{"hips", -1, {0, -0.25, 0}, -1, ""},
                            {"chest.üp", 0, {0.1, 0.5, 0}, -1, ""}};
-  model.mesh = icosphere(Vec3::Zero(), 1, 2);
+  model.mesh = icosphere(Vec3::Zero(), 1, subdivisions);
   const Eigen::Index n = model.mesh.V.rows();
   model.weights.joints.setZero(n, 4);
   model.weights.weights.setZero(n, 4);
@@ -35,8 +35,8 @@ inline Model two_joint_model() {
 }
 
 // The same with a texture whose seam splits vertices, and a second clip.
-inline Model textured_model() {
-  Model model = two_joint_model();
+inline Model textured_model(int subdivisions = 2) {
+  Model model = two_joint_model(subdivisions);
   model.name = "hips";  // a joint's name too
   // Every face with vertices of its own: all edges are seams.
   const Mesh whole = model.mesh;
@@ -88,6 +88,11 @@ inline std::vector<std::pair<std::string, Model>> sample_models() {
           {"textured", textured_model()},
           {"many_joints", many_joints_model()},
           {"still", std::move(still)}};
+}
+
+// The same features in few bytes.
+inline std::vector<std::pair<std::string, Model>> small_models() {
+  return {{"plain", two_joint_model(0)}, {"textured", textured_model(0)}};
 }
 
 }  // namespace artisketch
