@@ -40,6 +40,7 @@ Figure capsule_arm();
 Figure human(std::uint64_t seed = 0);
 // 16 parts: body, chest, head, tail and three per leg; facing +z.
 Figure quadruped(std::uint64_t seed = 0);
+Figure hero();  // of the first example: as human, every joint mirrored
 Figure robot(std::uint64_t seed = 0);  // boxes and tubes, its left unlike its right
 
 // ---------------------------------------------------------------- poses and views
@@ -85,7 +86,7 @@ struct Sketches {
 // is long enough, pixels rounded to 0.01. Frame 1's pose is always true. Calibration limits hold
 // the errors asked for.
 inline constexpr double kOutlineTolerance = 0.3;  // pixels
-inline constexpr int kLeastPoints = 24;
+inline constexpr int kLeastPoints = 40;
 Sketches draw(const Figure& figure, std::span<const View> views, const Camera& camera, int width,
               int height, const Noise& noise = {}, std::uint64_t seed = 0);
 

@@ -26,6 +26,7 @@ class PolygonDistance {
   const Box2& box() const { return box_; }
 
  private:
+  friend class SampledDistance;
   struct Segment {
     Vec2 a, b;
   };
@@ -39,9 +40,11 @@ class PolygonDistance {
   std::vector<int> row_start_, row_segments_;        // segments that span each bucket row in y
 };
 
-// PolygonDistance on a pixel raster, for the many queries of a voxel grid: bilinear between samples
-// `1 / per_pixel` apart, beyond its border the border's value plus the way to it. Within 0.1 px of
-// the exact distance away from the lines' corners.
+// PolygonDistance on a pixel raster, for the many queries of a voxel grid or a search along rays:
+// bilinear between samples `1 / per_pixel` apart, beyond its border the distance to the point of
+// the lines that is nearest to the border. Within 0.1 samples of the exact distance away from the
+// lines' corners. Built in time linear in the samples (some 10 ns each) and in the outline's
+// length.
 class SampledDistance {
  public:
   SampledDistance() = default;
@@ -52,6 +55,11 @@ class SampledDistance {
   bool empty() const { return values_.empty(); }
 
  private:
+  struct Nearest;  // per sample, the nearest known point of the lines
+  void seed(const PolygonDistance& exact, Nearest& nearest) const;
+  void propagate(Nearest& nearest) const;
+  void take_signs(const PolygonDistance& exact);
+
   Vec2 origin_ = Vec2::Zero();
   double per_pixel_ = 1;
   int nx_ = 0, ny_ = 0;

@@ -69,5 +69,24 @@ TEST(SampledDistance, StaysWithinATenthOfAPixel) {
               3);  // beyond the raster: roughly
 }
 
+TEST(SampledDistance, AgreesWithTheExactOneAtItsSamplesWhateverTheOutline) {
+  // A ring, a spike, a sliver thinner than a sample, a piece outside the others.
+  const std::vector<std::vector<Vec2>> polygons = {
+      circle({50.3, 50.1}, 40, 90),
+      circle({50, 50}, 15, 30),
+      {{100, 10}, {300, 12}, {101, 14}},
+      {{120, 60}, {120.4, 60}, {200.4, 140}, {200, 140}}};
+  const PolygonDistance exact(polygons);
+  for (const double per_pixel : {0.5, 1.0, 2.0}) {
+    const SampledDistance sampled(exact, per_pixel, 20);
+    const Vec2 origin = exact.box().min() - Vec2::Constant(20);
+    for (int y = 0; y < 160 * per_pixel; y += 3)
+      for (int x = 0; x < 320 * per_pixel; x += 3) {
+        const Vec2 p = origin + Vec2(x, y) / per_pixel;
+        ASSERT_NEAR(sampled.distance(p), exact.distance(p), 0.1 / per_pixel) << p.transpose();
+      }
+  }
+}
+
 }  // namespace
 }  // namespace artisketch

@@ -58,6 +58,19 @@ Box3 bounds(const Blob& blob) {
   return {Vec3(blob.a - half), Vec3(blob.a + half)};
 }
 
+Ball bounding_ball(const Blob& blob) {
+  switch (blob.kind) {
+    case Blob::Kind::limb:
+      return {(blob.a + blob.b) / 2,
+              (blob.b - blob.a).norm() / 2 + std::max(blob.radius_a, blob.radius_b)};
+    case Blob::Kind::ellipsoid:
+      return {blob.a, blob.radii.maxCoeff()};
+    case Blob::Kind::box:
+      return {blob.a, blob.radii.norm()};
+  }
+  return {};
+}
+
 }  // namespace
 
 Blob ball(const Vec3& centre, double radius) {
@@ -157,10 +170,20 @@ std::optional<double> hit(const Solid& solid, const Ball& bounds, const Ray& ray
   const double square =
       bounds.radius * bounds.radius - (ray.at(middle) - bounds.centre).squaredNorm();
   if (square <= 0) return std::nullopt;
+  // Blobs that the ray passes at more than the blend leave the surface on it as it is.
+  thread_local Solid near;
+  near.blend = solid.blend;
+  near.blobs.clear();
+  for (const Blob& blob : solid.blobs) {
+    const Ball around = bounding_ball(blob);
+    const Vec3 aside = around.centre - ray.origin;
+    const double miss = (aside - aside.dot(ray.direction) * ray.direction).norm();
+    if (miss < around.radius + solid.blend) near.blobs.push_back(blob);
+  }
   const double half = std::sqrt(square), close = 1e-5 * bounds.radius;
   // Steps shorter than the distance: it is only of first order near ellipsoids and blends.
   for (double t = middle - half; t < middle + half;) {
-    const double d = distance(solid, ray.at(t));
+    const double d = distance(near, ray.at(t));
     if (d < close) return t;
     t += std::max(0.6 * d, close);
   }
