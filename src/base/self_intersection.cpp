@@ -47,8 +47,8 @@ std::vector<std::pair<int, int>> self_intersections(const Mesh& mesh) {
     all.extend(boxes[f]);
   }
   // At most 200 cells along a side.
-  const double cell =
-      std::max({1.5 * extent / faces, all.sizes().maxCoeff() / 200, 1e-12 * all.max().norm(), 1e-300});
+  const double cell = std::max(
+      {1.5 * extent / faces, all.sizes().maxCoeff() / 200, 1e-12 * all.max().norm(), 1e-300});
   const Index3 size = (all.sizes() / cell).cast<int>() + Index3::Ones();
   const auto cells_of = [&](int f, auto&& visit) {
     const Index3 low = ((boxes[f].min() - all.min()) / cell).cast<int>();
