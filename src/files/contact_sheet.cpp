@@ -17,7 +17,7 @@ constexpr unsigned kSheet = 0xF5F6F8, kPaper = 0xFFFFFF, kLine = 0xD2D6DC, kText
                    kMuted = 0x59616B, kAccent = 0x0B7F6B, kWarning = 0x8A5A00, kError = 0xBF2F1F;
 constexpr int kMargin = 36, kGutter = 20, kHeader = 92, kCaption = 30, kRowGap = 22;
 constexpr double kTileRadius = 8;
-constexpr Lettering kTitle{26, true}, kHeading{15, true}, kName{14, true}, kBody{13, false};
+constexpr Lettering kTitle{26, true}, kName{14, true}, kBody{13, false};
 const std::string kDot = "  \xC2\xB7  ";
 
 constexpr const char* kSides[] = {"Front", "Right side", "Back", "Left side"};
