@@ -75,6 +75,19 @@ Anchors anchors_of(const Part& part, const Mesh& mesh, std::span<const Rim> rims
   return anchors;
 }
 
+// Between rims the surface may bend out over a contour: what lies outside a silhouette goes back
+// onto it.
+void keep_inside(const Part& part, Mesh& mesh) {
+  for (int v = 0; v < mesh.V.rows(); ++v) {
+    Vec3 p = mesh.V.row(v).transpose();
+    for (int round = 0; round < 3; ++round)
+      for (const PartView& view : part.views)
+        if (view.seen() && !view.mirrored && view.outline.distance(view.project(p)) > 0)
+          onto_contour(view, 1e9, p);
+    mesh.V.row(v) = p.transpose();
+  }
+}
+
 // Minimises xᵀKx + Σ w_i (x_i − t_i)². Rows with an infinite weight are fixed at their target.
 // Returns false where the matrix can't be factored.
 bool minimise(const SparseMatrix& K, const Eigen::VectorXd& weights, const Points3& targets,
@@ -138,8 +151,10 @@ Result<Mesh> reduce_volume(const Part& part, const Mesh& mesh, std::span<const R
       weights[v] = options.soft_anchors ? kSoftWeight : std::numeric_limits<double>::infinity();
     Points3 x;
     if (!minimise(K, weights, targets, x)) continue;
+    Mesh reduced{(x * edge).rowwise() + centre.transpose(), mesh.F};
+    keep_inside(part, reduced);
     run.report(1);
-    return Mesh{(x * edge).rowwise() + centre.transpose(), mesh.F};
+    return reduced;
   }
   return mesh;  // better unreduced than not at all
 }

@@ -72,8 +72,20 @@ Box3 bounds(const Solid& solid);
 std::vector<Polyline> outline(const Solid& solid, const Transform& to_world,
                               const FrameCamera& camera);
 
-// The nearest point of the solid on a ray, if it meets the solid: its depth along the ray.
-std::optional<double> hit(const Solid& solid, const Ball& bounds, const Ray& ray);
+// Finds where rays meet a solid, blobs that they pass aside left out of the sums. The solid must
+// outlive it.
+class Caster {
+ public:
+  explicit Caster(const Solid& solid);
+  const Ball& ball() const { return ball_; }
+  // The nearest point of the solid on the ray, if they meet: its depth along the ray.
+  std::optional<double> hit(const Ray& ray) const;
+
+ private:
+  const Solid& solid_;
+  Ball ball_;
+  std::vector<Ball> balls_;  // around each blob
+};
 
 // The zero set of a function, sampled at steps of `cell`, as a closed oriented manifold (marching
 // tetrahedra). The function must change by no more than twice the way between two points.
