@@ -134,7 +134,7 @@ Mesh coarsened(const Mesh& mesh, int vertices) {
   const double goal = std::sqrt(surface_area(mesh) * 2 / std::sqrt(3.0) / vertices);
   // The shortest edges first; in the end longer ones too, as some short ones can't go.
   for (double longest = goal / 4; collapser.left() > vertices && longest < 4 * goal;)
-    if (collapser.pass(longest, vertices) < collapser.left() / 50) longest *= 1.25;
+    if (collapser.pass(longest, vertices) <= collapser.left() / 50) longest *= 1.25;
   return collapser.mesh();
 }
 

@@ -19,8 +19,7 @@ inline PartSurface surface_of(const Solid& solid, int joint, int cells) {
   for (int k = 0; k < size.z(); ++k)
     for (int j = 0; j < size.y(); ++j)
       for (int i = 0; i < size.x(); ++i)
-        surface.distance(i, j, k) =
-            float(distance(solid, surface.distance.position(i, j, k)));
+        surface.distance(i, j, k) = float(distance(solid, surface.distance.position(i, j, k)));
   return surface;
 }
 
