@@ -56,7 +56,7 @@ struct Layout {
   int tile_x(int column) const { return kMargin + column * (tile_width + kGutter); }
 };
 
-Layout layout_of(const Document& document) {
+Layout layout_of(const Document& document, int width) {
   Layout layout;
   const int n = std::max(int(document.frames.size()), 1);
   layout.paired = n <= 2;
@@ -66,7 +66,7 @@ Layout layout_of(const Document& document) {
   const int per_row = layout.paired ? n : layout.columns;
   layout.groups = document.frames.empty() ? 0 : (n + per_row - 1) / per_row;
   constexpr int kWidest = 640;  // of a tile
-  const int room = kSheetWidth - 2 * kMargin - (layout.columns - 1) * kGutter;
+  const int room = width - 2 * kMargin - (layout.columns - 1) * kGutter;
   layout.tile_width = std::min(room / layout.columns, kWidest);
   layout.content = layout.columns * (layout.tile_width + kGutter) - kGutter;
   layout.width = layout.content + 2 * kMargin;
@@ -228,8 +228,8 @@ int legend(Image* sheet, const Layout& layout, const Document& document, int y) 
 }  // namespace
 
 Image contact_sheet(const Document& document, const std::vector<Image>& sketches,
-                    const Reconstruction& result) {
-  const Layout layout = layout_of(document);
+                    const Reconstruction& result, int width) {
+  const Layout layout = layout_of(document, width);
   const int legend_height = legend(nullptr, layout, document, 0);
   Image sheet(layout.width, layout.legend_top() + legend_height + kMargin - 12);
   fill(sheet, colour(kSheet));
