@@ -54,7 +54,7 @@ struct Lettering {
   bool bold = false;
 };
 
-// The width in pixels that a UTF-8 text takes. Characters beyond ASCII and a few signs show as
+// The width in pixels that a UTF-8 text takes. Characters beyond Latin-1 show as
 // boxes.
 double text_width(std::string_view text, const Lettering& lettering);
 
