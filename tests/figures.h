@@ -30,9 +30,10 @@ struct Figure {
 
 // ---------------------------------------------------------------- the cast
 
-Figure ball_figure(double radius = 0.5);  // one joint, one ball
-Figure two_balls();                       // one joint, two balls that melt into one another
-Figure heart();                           // one joint, a plump heart, 1 unit high
+Figure ball_figure(double radius = 0.5);   // one joint, one ball
+Figure two_balls();                        // one joint, two balls that melt into one another
+Figure heart();                            // one joint, a plump heart, kHeartHeight high
+inline constexpr double kHeartHeight = 1;  // units
 // A chain along +x of an upper arm, a forearm and a hand; each part is a limb with round ends.
 Figure capsule_arm();
 // 15 parts and the tips of head, hands and feet; 1.8 units or so high, facing +z, its left hand
@@ -40,7 +41,8 @@ Figure capsule_arm();
 Figure human(std::uint64_t seed = 0);
 // 16 parts: body, chest, head, tail and three per leg; facing +z.
 Figure quadruped(std::uint64_t seed = 0);
-Figure hero();  // of the first example: as human, every joint mirrored
+Figure hero();  // of the first example: joints as human's, every one mirrored
+Figure fox();   // joints as quadruped's
 Figure robot(std::uint64_t seed = 0);  // boxes and tubes, its left unlike its right
 
 // ---------------------------------------------------------------- poses and views

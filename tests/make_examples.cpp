@@ -1,43 +1,47 @@
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb/stb_image_write.h>
+// artisketch_examples FOLDER [NAME …]: writes the example documents and their drawings.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <set>
 
-#include "figures/ink.h"
+#include "figures/examples.h"
+#include "files/bytes.h"
+#include "files/document_file.h"
 
 using namespace artisketch;
-using namespace artisketch::figures;
 
-int main(int, char** argv) {
-  const Figure figure = hero();
-  Camera camera;
-  camera.type = Camera::Type::perspective;
-  camera.distance = 6;
-  camera.focal_length = 6 * 420;
-  const double ground = 0.58 - 0.87;
-  const std::vector<View> views = {
-      view(figure, "front", about_y(0) ,
-           {{"head", about_z(6)}, {"upper_arm.L", about_z(22)}, {"forearm.L", about_z(48)}, {"hand.L", about_z(-8)},
-            {"upper_arm.R", about_z(58)}, {"forearm.R", about_y(45)}, {"thigh.L", about_z(9)}, {"thigh.R", about_z(-7)}, {"foot.L", about_z(-9) * about_y(18)}, {"foot.R", about_z(7) * about_y(-14)}},
-           {0, ground, 0}),
-      view(figure, "side", about_y(72),
-           {{"chest", about_x(5)}, {"head", about_x(-6)*about_y(-14)},
-            {"upper_arm.L", about_x(38) * about_z(-72)}, {"forearm.L", about_y(-50)},
-            {"upper_arm.R", about_x(-42) * about_z(72)}, {"forearm.R", about_y(50)},
-            {"thigh.L", about_x(-38)}, {"shin.L", about_x(22)}, {"foot.L", about_x(0)},
-            {"thigh.R", about_x(26)}, {"shin.R", about_x(28)}, {"foot.R", about_x(6)}},
-           {0, ground, 0}),
-      view(figure, "three-quarter", about_y(-38),
-           {{"chest", about_y(-8)}, {"head", about_y(14) * about_z(-5)},
-            {"upper_arm.L", about_z(-48)}, {"forearm.L", about_y(-28)* about_z(-10)},
-            {"upper_arm.R", about_y(50) * about_z(-22)}, {"forearm.R", about_z(-25)}, 
-            {"thigh.L", about_z(13) * about_x(-6)}, {"shin.L", about_x(6)}, {"foot.L", about_z(-12)},
-            {"thigh.R", about_z(-10) * about_x(4)}, {"foot.R", about_z(9)}},
-           {0, ground, 0}),
-  };
-  for (const View& v : views) {
-    const FrameCamera seen{camera, Vec2(320, 400), 1};
-    const Image image = ink_drawing(figure, v.pose, seen, 640, 800);
-    stbi_write_png((std::string(argv[1]) + "/hero_" + v.name + ".png").c_str(), 640, 800, 4, image.rgba.data(), 640 * 4);
+namespace {
+
+bool written(const Result<Done>& result) {
+  if (!result) std::fprintf(stderr, "%s\n", result.error().text().c_str());
+  return result.ok();
+}
+
+bool write_example(const figures::Example& example, const std::string& folder) {
+  const std::string place = folder + "/" + example.name;
+  std::filesystem::create_directories(place);
+  if (!written(write_document(place + "/" + example.name + ".artisketch", example.sketches.given)))
+    return false;
+  const Document& truth = example.sketches.truth;
+  for (int f = 0; f < int(truth.frames.size()); ++f) {
+    const Frame& frame = truth.frames[f];
+    const Image image = figures::ink_drawing(example.figure, frame.pose, frame_camera(truth, f),
+                                             frame.width, frame.height, example.ink);
+    if (!written(write_file(place + "/" + frame.image, png_bytes(image)))) return false;
   }
+  return true;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count < 2) {
+    std::fprintf(stderr, "usage: artisketch_examples FOLDER [NAME ...]\n");
+    return 2;
+  }
+  const std::set<std::string> wanted(words + 2, words + count);
+  for (const std::string& name : figures::example_names())
+    if (wanted.empty() || wanted.count(name))
+      if (!write_example(figures::example(name), words[1])) return 3;
+  return 0;
 }

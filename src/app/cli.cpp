@@ -141,6 +141,20 @@ void print_summary(const std::string& out, std::size_t bytes, const Document& do
   std::printf(" total %s\n", seconds_text(total).c_str());
 }
 
+// The document's text for a file at `to`: drawings are named relative to the file that names them.
+std::string text_beside(Document document, const std::string& from, const std::string& to) {
+  namespace fs = std::filesystem;
+  for (Frame& frame : document.frames) {
+    if (frame.image.empty() || frame.image.rfind("data:", 0) == 0) continue;
+    std::error_code failed;
+    const fs::path image = fs::absolute(fs::path(from).parent_path() / frame.image, failed);
+    const fs::path beside =
+        fs::relative(image, fs::absolute(fs::path(to), failed).parent_path(), failed);
+    if (!failed && !beside.empty()) frame.image = beside.generic_string();
+  }
+  return document_text(document);
+}
+
 Result<std::string> preview_of(const Document& document, const std::string& path,
                                const Reconstruction& result) {
   std::vector<Image> sketches;
@@ -174,7 +188,8 @@ int reconstruct_verb(const Arguments& a) {
   Result<std::string> glb = glb_bytes(result->model);
   if (!glb) return fail(glb.error());
   const std::size_t size = glb->size();
-  if (!a.calibrated.empty()) outputs.push_back({a.calibrated, document_text(result->calibrated)});
+  if (!a.calibrated.empty())
+    outputs.push_back({a.calibrated, text_beside(result->calibrated, a.in, a.calibrated)});
   if (!a.report.empty()) outputs.push_back({a.report, report_text(*document, *result)});
   if (!a.preview.empty()) {
     Result<std::string> picture = preview_of(*document, a.in, *result);
@@ -203,7 +218,7 @@ int calibrate_verb(const Arguments& a) {
   print_warnings(result->warnings);
   std::vector<Output> outputs;
   if (!a.report.empty()) outputs.push_back({a.report, report_text(*document, *result, seconds)});
-  outputs.push_back({a.out, document_text(with_poses(*document, *result))});
+  outputs.push_back({a.out, text_beside(with_poses(*document, *result), a.in, a.out)});
   if (const int status = write_all(outputs)) return status;
   if (!a.quiet)
     std::printf("%s: energy %.4g -> %.4g px\302\262 in %d iterations, %s\n", a.out.c_str(),

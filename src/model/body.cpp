@@ -78,15 +78,17 @@ std::vector<int> Body::near(const Box3& box, double reach) const {
 
 // Strangers that come close share the space between them: each keeps its side of the surface where
 // both are equally deep, less half the gap. Not where the surfaces run side by side (neither could
-// yield without a dent) and not within the joints' spheres, where all belongs together.
+// yield without a dent), and two that hang on the same third not within the spheres of both joints,
+// where all belongs together.
 double Body::apart(int i, int j, double di, double dj, const Vec3& p) const {
-  const auto inside_sphere = [&](int from, int to) {
-    const int step = tree_.step(from, to);
-    const int lower = tree_.nodes[from].parent == step ? from : step;
+  const auto outside_sphere = [&](int from, int to) {
+    const int lower = tree_.nodes[from].parent == to ? from : to;
     const int s = sphere_of_[lower];
     return s < 0 ? gap_ : (p - spheres_[s].centre).norm() - spheres_[s].radius;
   };
-  const double in_spheres = std::max(inside_sphere(i, j), inside_sphere(j, i));
+  double in_spheres = gap_;
+  if (const int between = tree_.step(i, j); tree_.meet(between, j))
+    in_spheres = std::max(outside_sphere(i, between), outside_sphere(j, between));
   double active = smoothstep(1 + in_spheres / gap_);
   if (active == 0) return -BlockGrid::kOutside;
   Vec3 ni, nj;
@@ -185,8 +187,17 @@ void Body::fill_block(const Vec3& first, double cell, std::span<const int> near,
       const float* a = &of_part[c * BlockGrid::kSize];
       const float* b = &of_part[e * BlockGrid::kSize];
       if (tree_.meet(near[c], near[e])) {
-        for (int s = 0; s < BlockGrid::kSize; ++s)
-          seam[s] = std::min(seam[s], std::max(a[s], b[s]));
+        float both[BlockGrid::kSize];
+        for (int s = 0; s < BlockGrid::kSize; ++s) both[s] = std::max(a[s], b[s]);
+        // Where a stranger to both is about as near, closing the seam would tie it in.
+        for (std::size_t o = 0; o < near.size(); ++o) {
+          if (o == c || o == e || tree_.meet(near[o], near[c]) || tree_.meet(near[o], near[e]))
+            continue;
+          const float* stranger = &of_part[o * BlockGrid::kSize];
+          for (int s = 0; s < BlockGrid::kSize; ++s)
+            if (both[s] > stranger[s] - gap_) both[s] = BlockGrid::kOutside;
+        }
+        for (int s = 0; s < BlockGrid::kSize; ++s) seam[s] = std::min(seam[s], both[s]);
         continue;
       }
       for (int s = 0; s < BlockGrid::kSize; ++s) {

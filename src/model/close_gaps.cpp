@@ -125,7 +125,8 @@ void close_gaps(BlockGrid& grid, std::span<const float> seam, double reach,
       if (s < 0 || grid.values[s] >= 0) relax(f, step);
     });
   while (!queue.empty()) {
-    const auto [way, f] = queue.top();
+    const float way = queue.top().first;
+    const int f = queue.top().second;  // no structured binding: Clang 14 can't capture those
     queue.pop();
     if (way > filled[f].way) continue;
     for_neighbours(f, [&](std::ptrdiff_t s, float step) {

@@ -39,8 +39,7 @@ double blend_width(const Body& body, std::span<const int> near,
 }  // namespace
 
 void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointSphere> spheres,
-          const PartTree& tree, const Settled& settled, QuadMesh& mesh) {
-  (void)tree;
+          const Settled& settled, QuadMesh& mesh) {
   const int n = int(mesh.V.rows());
   const BlockGrid& grid = sampled.grid;
   const double side = grid.cell * BlockGrid::kSide;

@@ -34,13 +34,11 @@ Figure two_balls() {
 
 Figure heart() {
   Builder builder("heart");
-  const unsigned red = 0xd93a4c;
-  const Vec3 tip(0, -0.47, 0);
-  builder.joint("heart", "", Vec3::Zero(), 0,
-                {{limb({-0.24, 0.24, 0}, 0.26, tip, 0.03).in(red),
-                  limb({0.24, 0.24, 0}, 0.26, tip, 0.03).in(red)},
-                 0.06,
-                 {}});
+  Solid solid;
+  solid.blend = 0.004;
+  for (const int side : {1, -1})  // from y = −0.5 to 0.5
+    solid.blobs.push_back(limb({side * 0.225, 0.23, 0}, 0.27, {0, -0.455, 0}, 0.045).in(0xd93a4c));
+  builder.joint("heart", "", Vec3::Zero(), 0, solid);
   return builder.take();
 }
 
@@ -245,8 +243,11 @@ Figure robot(std::uint64_t seed) {
             limb({0.1, neck + 0.28, 0}, 0.018, {0.15, neck + 0.45, 0}, 0.018).in(dark),
             ball({0.15, neck + 0.46, 0}, 0.04).in(accent)},
            0.02,
-           {ball({0.07, neck + 0.18, 0.18}, 0.045).in(accent),
-            ball({-0.07, neck + 0.18, 0.18}, 0.045).in(accent)}});
+           {ball({0.075, neck + 0.19, 0.19}, 0.062).in(dark),
+            ball({-0.075, neck + 0.19, 0.19}, 0.062).in(dark),
+            ball({0.075, neck + 0.19, 0.19}, 0.047).in(accent),
+            ball({-0.075, neck + 0.19, 0.19}, 0.047).in(accent),
+            box({0, neck + 0.085, 0.18}, {0.07, 0.014, 0.05}, 0.01).in(dark)}});
   b.tip("head.tip", "head", {0, neck + 0.3, 0});
   // The left arm is a long thin gripper, the right one a short heavy hammer.
   const double y = neck - 0.12;
@@ -283,9 +284,9 @@ Figure robot(std::uint64_t seed) {
     const double thick = s == 0 ? 0.075 : 0.095;
     b.joint("thigh" + end, "hips", top, 30, {{limb(top, thick, knee, thick).in(steel)}, 0, {}});
     b.joint("shin" + end, "thigh" + end, knee, 30,
-            {{limb(knee, thick, ankle, 1.1 * thick).in(dark)}, 0, {}});
+            {{limb(knee, 1.12 * thick, ankle, 1.15 * thick).in(dark)}, 0, {}});
     b.joint("foot" + end, "shin" + end, ankle, 12,
-            {{ball(ankle, 1.1 * thick).in(dark),
+            {{ball(ankle, 1.1 * thick).in(accent),
               box(ankle + Vec3(0, -0.05, 0.05), {0.1, 0.05, 0.16}, 0.03).in(accent)},
              0.02,
              {}});

@@ -11,10 +11,10 @@ constexpr unsigned kSkin = 0xf7cba4, kCheek = 0xf0a58c, kHair = 0x8a4a2c, kTunic
 
 Solid hips() {
   Solid solid;
-  solid.blend = 0.03;
+  solid.blend = 0.05;
   solid.blobs = {ellipsoid({0, 0.53, 0}, {0.13, 0.1, 0.11}).in(kTrousers),
-                 limb({0, 0.7, 0}, 0.125, {0, 0.63, 0}, 0.145).in(kTunic),
-                 ellipsoid({0, 0.56, 0}, {0.205, 0.115, 0.175}).in(kTunic),
+                 limb({0, 0.7, 0}, 0.125, {0, 0.61, 0}, 0.15).in(kTunic),
+                 ellipsoid({0, 0.525, 0}, {0.2, 0.06, 0.175}).in(kTunic),
                  ellipsoid({0, 0.69, 0}, {0.158, 0.036, 0.155}).in(kBelt)};
   solid.paint = {box({0, 0.69, 0.15}, {0.036, 0.03, 0.05}, 0.008).in(kGold),
                  box({0, 0.69, 0.15}, {0.018, 0.013, 0.06}, 0.004).in(kBelt)};
@@ -54,9 +54,11 @@ Solid head() {
     const auto at = [&](double x, double y, double z) { return Vec3(side * x, y, z); };
     solid.blobs.push_back(ellipsoid(at(0.262, 1.215, 0), {0.045, 0.065, 0.04}).in(kSkin));
     // Locks over the forehead, at the temples and in the neck.
-    solid.blobs.push_back(limb(at(0.05, 1.53, 0.13), 0.08, at(0.085, 1.405, 0.238), 0.018).in(kHair));
+    solid.blobs.push_back(
+        limb(at(0.05, 1.53, 0.13), 0.08, at(0.085, 1.405, 0.238), 0.018).in(kHair));
     solid.blobs.push_back(limb(at(0.15, 1.48, 0.11), 0.08, at(0.2, 1.355, 0.19), 0.018).in(kHair));
-    solid.blobs.push_back(limb(at(0.24, 1.36, 0.02), 0.06, at(0.272, 1.22, 0.085), 0.015).in(kHair));
+    solid.blobs.push_back(
+        limb(at(0.24, 1.36, 0.02), 0.06, at(0.272, 1.22, 0.085), 0.015).in(kHair));
     solid.blobs.push_back(limb(at(0.2, 1.4, -0.1), 0.09, at(0.325, 1.37, -0.17), 0.018).in(kHair));
     solid.blobs.push_back(limb(at(0.14, 1.2, -0.2), 0.09, at(0.22, 1.1, -0.25), 0.018).in(kHair));
 
@@ -67,8 +69,10 @@ Solid head() {
     solid.paint.push_back(ellipsoid(eye + at(-0.008, -0.004, 0), {0.034, 0.052, 0.1}).in(kIris));
     solid.paint.push_back(ellipsoid(eye + at(-0.008, -0.002, 0), {0.022, 0.036, 0.11}).in(kDark));
     solid.paint.push_back(ellipsoid(eye + Vec3(0.008, 0.024, 0), {0.013, 0.015, 0.12}).in(kWhite));
-    solid.paint.push_back(limb(at(0.068, 1.345, 0.25), 0.011, at(0.115, 1.362, 0.23), 0.013).in(kHair));
-    solid.paint.push_back(limb(at(0.115, 1.362, 0.23), 0.013, at(0.162, 1.342, 0.2), 0.008).in(kHair));
+    solid.paint.push_back(
+        limb(at(0.068, 1.345, 0.25), 0.011, at(0.115, 1.362, 0.23), 0.013).in(kHair));
+    solid.paint.push_back(
+        limb(at(0.115, 1.362, 0.23), 0.013, at(0.162, 1.342, 0.2), 0.008).in(kHair));
   }
   solid.paint.push_back(ellipsoid({0, 1.118, 0.23}, {0.062, 0.04, 0.08}).in(kDark));
   solid.paint.push_back(ellipsoid({0, 1.118, 0.23}, {0.054, 0.032, 0.09}).in(kMouth));
@@ -88,27 +92,32 @@ Figure hero() {
   for (const int side : {1, -1}) {
     const std::string end = side > 0 ? ".L" : ".R";
     const auto at = [&](double x, double y, double z) { return Vec3(side * x, y, z); };
-    const Vec3 shoulder = at(0.15, 0.885, -0.01), elbow = at(0.345, 0.885, -0.015), wrist = at(0.52, 0.885, -0.01);
+    const Vec3 shoulder = at(0.15, 0.885, -0.01), elbow = at(0.345, 0.885, -0.015),
+               wrist = at(0.52, 0.885, -0.01);
     b.joint("upper_arm" + end, "chest", shoulder, 45,
             {{limb(shoulder, 0.07, elbow, 0.062).in(kSleeve)}, 0, {}});
     b.joint("forearm" + end, "upper_arm" + end, elbow, 50,
             {{limb(elbow, 0.062, wrist, 0.056).in(kSleeve)}, 0, {}});
-    b.joint("hand" + end, "forearm" + end, wrist, 25,
-            {{limb(wrist + at(-0.02, 0, 0), 0.072, wrist + at(0.03, 0, 0), 0.062).in(kGlove),
-              ellipsoid(wrist + at(0.095, 0, 0), {0.085, 0.06, 0.068}).in(kGlove),
-              limb(wrist + at(0.05, 0.01, 0.04), 0.034, wrist + at(0.1, 0.03, 0.1), 0.026).in(kGlove)},
-             0.025,
-             {}});
+    b.joint(
+        "hand" + end, "forearm" + end, wrist, 25,
+        {{limb(wrist + at(-0.02, 0, 0), 0.072, wrist + at(0.03, 0, 0), 0.062).in(kGlove),
+          ellipsoid(wrist + at(0.095, 0, 0), {0.085, 0.06, 0.068}).in(kGlove),
+          limb(wrist + at(0.05, 0.01, 0.04), 0.034, wrist + at(0.1, 0.03, 0.1), 0.026).in(kGlove)},
+         0.025,
+         {}});
     b.tip("hand.tip" + end, "hand" + end, wrist + at(0.17, 0, 0));
   }
   for (const int side : {1, -1}) {
     const std::string end = side > 0 ? ".L" : ".R";
     const auto at = [&](double x, double y, double z) { return Vec3(side * x, y, z); };
-    const Vec3 top = at(0.085, 0.5, 0), knee = at(0.092, 0.32, 0.01), ankle = at(0.095, 0.12, -0.005);
+    const Vec3 top = at(0.085, 0.5, 0), knee = at(0.092, 0.32, 0.01),
+               ankle = at(0.095, 0.12, -0.005);
     b.joint("thigh" + end, "hips", top, 35, {{limb(top, 0.088, knee, 0.074).in(kTrousers)}, 0, {}});
     b.joint("shin" + end, "thigh" + end, knee, 35,
             {{limb(knee, 0.074, knee + at(0, -0.08, 0), 0.07).in(kTrousers),
-              limb(ankle + at(0, 0.09, 0), 0.084, ankle, 0.074).in(kBoot)}, 0.01, {}});
+              limb(ankle + at(0, 0.09, 0), 0.084, ankle, 0.074).in(kBoot)},
+             0.01,
+             {}});
     b.joint("foot" + end, "shin" + end, ankle, 15,
             {{limb(ankle, 0.074, ankle + at(0, -0.04, 0.01), 0.08).in(kBoot),
               ellipsoid(ankle + at(0, -0.045, 0.075), {0.082, 0.07, 0.135}).in(kBoot)},

@@ -6,16 +6,17 @@
 namespace artisketch::figures {
 namespace {
 
-constexpr int kSamples = 3;            // a pixel's side in samples
-constexpr double kJump = 0.035;        // units of depth between samples that make an outline
-constexpr double kFold = 0.3;         // cosine between normals that makes a fold
+constexpr int kSamples = 3;      // a pixel's side in samples
+constexpr double kJump = 0.035;  // units of depth between samples that make an outline
+constexpr double kFold = 0.3;    // cosine between normals that makes a fold
 const Vec3 kLight = Vec3(-0.45, 0.6, 0.8).normalized();
 
 // Smooth noise in the plane: −1 … 1, a bump about every unit.
 double noise(const Vec2& p, std::uint64_t seed) {
   const double fx = std::floor(p.x()), fy = std::floor(p.y());
   const auto corner = [&](int i, int j) {
-    std::uint64_t h = seed * 0x9e3779b97f4a7c15u + std::uint64_t(std::int64_t(fx) + i) * 0xbf58476d1ce4e5b9u +
+    std::uint64_t h = seed * 0x9e3779b97f4a7c15u +
+                      std::uint64_t(std::int64_t(fx) + i) * 0xbf58476d1ce4e5b9u +
                       std::uint64_t(std::int64_t(fy) + j) * 0x94d049bb133111ebu;
     h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
     h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
@@ -54,7 +55,7 @@ class Sheet {
       to_world_.push_back(t);
       to_rest_.push_back(t.inverse());
     }
-    for (const Solid& part : figure.parts) balls_.push_back(bounding_ball(part));
+    for (const Solid& part : figure.parts) casters_.emplace_back(part);
   }
 
   Image draw() {
@@ -74,16 +75,20 @@ class Sheet {
 
   void see(int j) {
     Box2 box;
-    const Vec3 centre = to_world_[j] * balls_[j].centre;
+    const Vec3 centre = to_world_[j] * casters_[j].ball().centre;
     for (int c = 0; c < 8; ++c)
-      box.extend(camera_.project(centre + balls_[j].radius * Vec3(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1)));
-    const int x0 = std::max(0, int((box.min().x() - 2) * kSamples)), x1 = std::min(nx_, int((box.max().x() + 2) * kSamples));
-    const int y0 = std::max(0, int((box.min().y() - 2) * kSamples)), y1 = std::min(ny_, int((box.max().y() + 2) * kSamples));
+      box.extend(
+          camera_.project(centre + casters_[j].ball().radius *
+                                       Vec3(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1)));
+    const int x0 = std::max(0, int((box.min().x() - 2) * kSamples)),
+              x1 = std::min(nx_, int((box.max().x() + 2) * kSamples));
+    const int y0 = std::max(0, int((box.min().y() - 2) * kSamples)),
+              y1 = std::min(ny_, int((box.max().y() + 2) * kSamples));
     for (int y = y0; y < y1; ++y)
       for (int x = x0; x < x1; ++x) {
         const Ray world = camera_.ray(pixel(x, y));
         const Ray ray{to_rest_[j] * world.origin, to_rest_[j].linear() * world.direction};
-        const auto depth = hit(figure_.parts[j], balls_[j], ray);
+        const auto depth = casters_[j].hit(ray);
         Sample& s = samples_[std::size_t(y) * nx_ + x];
         if (!depth || float(*depth) >= s.depth) continue;
         s.depth = float(*depth);
@@ -97,9 +102,10 @@ class Sheet {
     for (int j = 0; j < figure_.skeleton.size(); ++j) {
       if (j == s.part || figure_.parts[j].empty()) continue;
       const Ray ray{to_rest_[j] * from, to_rest_[j].linear() * kLight};
-      const double ahead = (balls_[j].centre - ray.origin).dot(ray.direction) + balls_[j].radius;
+      const double ahead =
+          (casters_[j].ball().centre - ray.origin).dot(ray.direction) + casters_[j].ball().radius;
       if (ahead <= 0) continue;
-      if (const auto depth = hit(figure_.parts[j], balls_[j], ray); depth && *depth > 0) return true;
+      if (const auto depth = casters_[j].hit(ray); depth && *depth > 0) return true;
     }
     return false;
   }
@@ -142,7 +148,8 @@ class Sheet {
         for (const std::size_t next : {i + 1, i + nx_})
           if (const double line = line_between(samples_[i], samples_[next]); line > 0) {
             // Heavier on the side away from the light, and uneven as a pen is.
-            const Sample& s = samples_[i].depth < samples_[next].depth ? samples_[i] : samples_[next];
+            const Sample& s =
+                samples_[i].depth < samples_[next].depth ? samples_[i] : samples_[next];
             const double away = -s.normal.cast<double>().dot(Vec3(kLight.x(), kLight.y(), 0));
             const double pen = noise(Vec2(x, y) / (kSamples * 28.0), style_.seed + 2);
             dab(x, y, line * (1 + 0.3 * away + 0.22 * pen) * kSamples / 2);
@@ -165,7 +172,8 @@ class Sheet {
         Eigen::Vector4f sum = Eigen::Vector4f::Zero();
         for (int j = 0; j < kSamples; ++j)
           for (int i = 0; i < kSamples; ++i) {
-            const Eigen::Vector4f& c = colours_[std::size_t(y * kSamples + j) * nx_ + x * kSamples + i];
+            const Eigen::Vector4f& c =
+                colours_[std::size_t(y * kSamples + j) * nx_ + x * kSamples + i];
             sum.head<3>() += c.head<3>() * (c[3] / 255);
             sum[3] += c[3];
           }
@@ -184,7 +192,7 @@ class Sheet {
   std::vector<Sample> samples_;
   std::vector<Eigen::Vector4f> colours_;
   std::vector<Transform> to_world_, to_rest_;
-  std::vector<Ball> balls_;
+  std::vector<Caster> casters_;  // one per joint
 };
 
 }  // namespace

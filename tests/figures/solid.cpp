@@ -42,8 +42,8 @@ double box_distance(const Blob& blob, const Vec3& p) {
 }
 
 double smooth_minimum(double a, double b, double k) {
-  const double h = k > 0 ? std::max(k - std::abs(a - b), 0.0) / k : 0;
-  return std::min(a, b) - h * h * k / 4;
+  const double overlap = k - std::abs(a - b);
+  return std::min(a, b) - (overlap > 0 ? overlap * overlap / (4 * k) : 0);
 }
 
 Box3 bounds(const Blob& blob) {
@@ -56,19 +56,6 @@ Box3 bounds(const Blob& blob) {
   }
   const Vec3 half = blob.turn.toRotationMatrix().cwiseAbs() * blob.radii;
   return {Vec3(blob.a - half), Vec3(blob.a + half)};
-}
-
-Ball bounding_ball(const Blob& blob) {
-  switch (blob.kind) {
-    case Blob::Kind::limb:
-      return {(blob.a + blob.b) / 2,
-              (blob.b - blob.a).norm() / 2 + std::max(blob.radius_a, blob.radius_b)};
-    case Blob::Kind::ellipsoid:
-      return {blob.a, blob.radii.maxCoeff()};
-    case Blob::Kind::box:
-      return {blob.a, blob.radii.norm()};
-  }
-  return {};
 }
 
 }  // namespace
@@ -114,21 +101,28 @@ double distance(const Blob& blob, const Vec3& p) {
   return kInfinity;
 }
 
+double blended(const std::vector<const Blob*>& blobs, double k, const Vec3& p) {
+  double d = kInfinity;
+  for (const Blob* blob : blobs) d = smooth_minimum(d, distance(*blob, p), k);
+  return d;
+}
+
 double distance(const Solid& solid, const Vec3& p) {
   double d = kInfinity;
-  for (const Blob& blob : solid.blobs) {
-    const double next = distance(blob, p);
-    d = d == kInfinity ? next : smooth_minimum(d, next, solid.blend);
-  }
+  for (const Blob& blob : solid.blobs) d = smooth_minimum(d, distance(blob, p), solid.blend);
   return d;
 }
 
 Vec3 normal(const Solid& solid, const Vec3& p) {
   constexpr double kStep = 1e-5;
+  std::vector<const Blob*> near;  // a blob further away than the blend changes nothing
+  const double reach = distance(solid, p) + solid.blend + 4 * kStep;
+  for (const Blob& blob : solid.blobs)
+    if (distance(blob, p) < reach + solid.blend) near.push_back(&blob);
   Vec3 n;
   for (int a = 0; a < 3; ++a) {
     const Vec3 step = kStep * Vec3::Unit(a);
-    n[a] = distance(solid, Vec3(p + step)) - distance(solid, Vec3(p - step));
+    n[a] = blended(near, solid.blend, p + step) - blended(near, solid.blend, p - step);
   }
   const double size = n.norm();
   return size > 0 ? Vec3(n / size) : Vec3(Vec3::UnitY());
@@ -160,32 +154,51 @@ Box3 bounds(const Solid& solid) {
   return {Vec3(box.min() - swell), Vec3(box.max() + swell)};
 }
 
+Ball bounding_ball(const Blob& blob) {
+  switch (blob.kind) {
+    case Blob::Kind::limb:
+      return {(blob.a + blob.b) / 2,
+              (blob.b - blob.a).norm() / 2 + std::max(blob.radius_a, blob.radius_b)};
+    case Blob::Kind::ellipsoid:
+      return {blob.a, blob.radii.maxCoeff()};
+    case Blob::Kind::box:
+      return {blob.a, blob.radii.norm()};
+  }
+  return {};
+}
+
 Ball bounding_ball(const Solid& solid) {
   const Box3 box = bounds(solid);
   return {box.center(), box.diagonal().norm() / 2};
 }
 
-std::optional<double> hit(const Solid& solid, const Ball& bounds, const Ray& ray) {
-  const double middle = (bounds.centre - ray.origin).dot(ray.direction);
-  const double square =
-      bounds.radius * bounds.radius - (ray.at(middle) - bounds.centre).squaredNorm();
+Caster::Caster(const Solid& solid) : solid_(solid), ball_(bounding_ball(solid)) {
+  for (const Blob& blob : solid.blobs) balls_.push_back(bounding_ball(blob));
+}
+
+std::optional<double> Caster::hit(const Ray& ray) const {
+  const double middle = (ball_.centre - ray.origin).dot(ray.direction);
+  const double square = ball_.radius * ball_.radius - (ray.at(middle) - ball_.centre).squaredNorm();
   if (square <= 0) return std::nullopt;
   // Blobs that the ray passes at more than the blend leave the surface on it as it is.
-  thread_local Solid near;
-  near.blend = solid.blend;
-  near.blobs.clear();
-  for (const Blob& blob : solid.blobs) {
-    const Ball around = bounding_ball(blob);
-    const Vec3 aside = around.centre - ray.origin;
-    const double miss = (aside - aside.dot(ray.direction) * ray.direction).norm();
-    if (miss < around.radius + solid.blend) near.blobs.push_back(blob);
+  thread_local std::vector<const Blob*> near;
+  near.clear();
+  double from = middle + std::sqrt(square), to = middle - std::sqrt(square);
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const Vec3 aside = balls_[i].centre - ray.origin;
+    const double along = aside.dot(ray.direction), reach = balls_[i].radius + solid_.blend;
+    const double chord = reach * reach - (aside - along * ray.direction).squaredNorm();
+    if (chord <= 0) continue;
+    near.push_back(&solid_.blobs[i]);
+    from = std::min(from, along - std::sqrt(chord));
+    to = std::max(to, along + std::sqrt(chord));
   }
-  const double half = std::sqrt(square), close = 1e-5 * bounds.radius;
+  const double close = 2e-5 * ball_.radius;
   // Steps shorter than the distance: it is only of first order near ellipsoids and blends.
-  for (double t = middle - half; t < middle + half;) {
-    const double d = distance(near, ray.at(t));
+  for (double t = from; t < to;) {
+    const double d = blended(near, solid_.blend, ray.at(t));
     if (d < close) return t;
-    t += std::max(0.6 * d, close);
+    t += std::max(0.7 * d, close);
   }
   return std::nullopt;
 }

@@ -51,6 +51,7 @@ struct Solid {
 // Negative inside, with the right sign everywhere and of first order near the surface. +infinity
 // for an empty solid.
 double distance(const Solid& solid, const Vec3& p);
+double blended(const std::vector<const Blob*>& blobs, double blend, const Vec3& p);
 Vec3 normal(const Solid& solid, const Vec3& p);  // unit length, outward
 
 // The blob or paint that colours the surface at p: its index among the paints counted from
@@ -58,11 +59,12 @@ Vec3 normal(const Solid& solid, const Vec3& p);  // unit length, outward
 int colour_index(const Solid& solid, const Vec3& p);
 unsigned colour_at(const Solid& solid, int index);
 
-// A sphere that holds the solid.
+// A sphere that holds a blob, or a solid.
 struct Ball {
   Vec3 centre = Vec3::Zero();
   double radius = 0;
 };
+Ball bounding_ball(const Blob& blob);
 Ball bounding_ball(const Solid& solid);
 Box3 bounds(const Solid& solid);
 
@@ -72,8 +74,20 @@ Box3 bounds(const Solid& solid);
 std::vector<Polyline> outline(const Solid& solid, const Transform& to_world,
                               const FrameCamera& camera);
 
-// The nearest point of the solid on a ray, if it meets the solid: its depth along the ray.
-std::optional<double> hit(const Solid& solid, const Ball& bounds, const Ray& ray);
+// Finds where rays meet a solid, blobs that they pass aside left out of the sums. The solid must
+// outlive it.
+class Caster {
+ public:
+  explicit Caster(const Solid& solid);
+  const Ball& ball() const { return ball_; }
+  // The nearest point of the solid on the ray, if they meet: its depth along the ray.
+  std::optional<double> hit(const Ray& ray) const;
+
+ private:
+  const Solid& solid_;
+  Ball ball_;
+  std::vector<Ball> balls_;  // around each blob
+};
 
 // The zero set of a function, sampled at steps of `cell`, as a closed oriented manifold (marching
 // tetrahedra). The function must change by no more than twice the way between two points.
