@@ -182,6 +182,10 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
                          const ConsolidateOptions& options, std::vector<std::string>& warnings,
                          Run& run);
 
+// The same closed surface with about `triangles` triangles, denser where it bends, nowhere farther
+// off than about `error` units; more triangles where that would not do. Same genus and components.
+Mesh simplified(const Mesh& mesh, int triangles, double error);
+
 // At most four influences a vertex, largest first; unused ones are joint 0 with weight 0.
 struct Weights {
   Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor> joints;      // #V×4
@@ -231,7 +235,7 @@ struct PipelineOptions {
   int grid = 100;
   bool calibrate = true;
   bool visual_hull = false;  // plain hulls of the parts, united without blending
-  int triangles = 0;
+  int triangles = 15000;     // of the model, about
 };
 
 struct StageTime {
