@@ -25,7 +25,7 @@ enum class Method {
   paper,  // every step as the paper describes it
   rays,   // the same inputs and outputs by rays and interpolants (DESIGN of each stage in its file)
 };
-inline constexpr Method kDefaultMethod = Method::paper;
+inline constexpr Method kDefaultMethod = Method::rays;
 
 // ---------------------------------------------------------------- calibration (section 2)
 
