@@ -133,6 +133,7 @@ struct LevelSetOptions {
   double region = 1;  // weight of the Chan–Vese term
   double edge = 1;    // weight of the geodesic active contour
   double band = 3;    // half-width of the narrow band, cells
+  double grown = 0;   // cells given to the hull and the contours, so that a thin part stays whole
 };
 // Section 3 and appendix: evolves the hull's zero set under the region and edge terms of all views.
 Result<Grid3<float>> level_set(const Part& part, const Grid3<float>& hull,
