@@ -90,15 +90,19 @@ double Body::apart(int i, int j, double di, double dj, const Vec3& p) const {
     if (const int between = tree_.nodes[low].parent;
         between >= 0 && tree_.nodes[between].parent == high)
       in_spheres = std::max(outside_sphere(low), outside_sphere(between));
-  double active = smoothstep(1 + in_spheres / gap_);
+  const double active = smoothstep(1 + in_spheres / gap_);
   if (active == 0) return -BlockGrid::kOutside;
+  // The surface of equal depth halves the angle between the two; across it the difference of the
+  // depths grows by twice the sine of that.
   Vec3 ni, nj;
   part_distance(i, p, ni);
   part_distance(j, p, nj);
-  const double scale = ni.norm() * nj.norm();
-  if (scale > 0) active *= smoothstep(-2 * ni.dot(nj) / scale);
-  if (active == 0) return -BlockGrid::kOutside;
-  return (di - dj + gap_) / 2 - (1 - active) * (2 * gap_ + std::abs(di - dj));
+  const double slope = (ni.normalized() - nj.normalized()).norm();
+  constexpr double kSideBySide = 0.5, kApart = 0.9;  // slopes
+  const double yields = active * smoothstep((slope - kSideBySide) / (kApart - kSideBySide));
+  if (yields == 0) return -BlockGrid::kOutside;
+  const double across = (di - dj) / slope;
+  return across + gap_ / 2 - (1 - yields) * (gap_ + std::abs(across));
 }
 
 Body::Reading Body::read(const Vec3& p, std::span<const int> near) const {
@@ -125,7 +129,7 @@ Body::Reading Body::read(const Vec3& p, std::span<const int> near) const {
       const double pushed = apart(c.part, other.part, c.distance, other.distance, p);
       if (pushed > own.distance) {
         own.distance = pushed;
-        own.gradient = (c.gradient - other.gradient) / 2;
+        own.gradient = (c.gradient - other.gradient).normalized();
       }
     }
     if (own.distance < best.distance) best = own;
