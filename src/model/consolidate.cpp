@@ -98,24 +98,20 @@ int own_genus(std::span<const PartSurface> parts) {
   return genus;
 }
 
-// The body with its gaps closed: as wide as it takes, up to `kWidest`, until no handle is left that
-// no part has; of several tries the one with the fewest.
-constexpr double kNarrowest = 3, kWidest = 12;  // cells
-Surface closed_surface(const Body::Sampled& sampled, std::span<const JointSphere> spheres,
-                       std::span<const PartSurface> parts, BlockGrid& grid) {
-  Surface best;
-  int wanted = -1;
-  for (double reach = kNarrowest; reach <= kWidest; reach *= 2) {
-    BlockGrid tried = sampled.grid;
-    close_gaps(tried, sampled.seam, reach * tried.cell, spheres);
-    Surface next = surface_of(tried);
-    if (reach == kNarrowest || next.genus() < best.genus()) {
-      best = std::move(next);
-      grid = std::move(tried);
-    }
-    if (best.genus() <= 0) break;
-    if (wanted < 0) wanted = own_genus(parts);
-    if (best.genus() <= wanted) break;
+// The body with its gaps closed, and its handles: ever wider ones until none is left that no part
+// has of its own.
+constexpr double kGap = 3, kWidestHandle = 12;  // cells
+Surface closed_surface(const Body& body, Body::Sampled& sampled,
+                       std::span<const JointSphere> spheres, std::span<const PartSurface> parts) {
+  const double cell = sampled.grid.cell;
+  make_well_composed(sampled.grid);
+  close_gaps(sampled, body, kGap * cell, spheres);
+  Surface best = surface_of(sampled.grid);
+  if (best.genus() <= 0) return best;
+  const int wanted = own_genus(parts);
+  for (double reach = 2 * kGap; reach <= kWidestHandle && best.genus() > wanted; reach *= 2) {
+    close_gaps(sampled, body, reach * cell, {});
+    best = surface_of(sampled.grid);
   }
   return best;
 }
@@ -170,18 +166,17 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
   const PartTree tree = part_tree(document, parts);
   if (std::none_of(tree.nodes.begin(), tree.nodes.end(), [](const auto& n) { return n.solid; }))
     return bad_input("no part has a body: draw a closed contour for at least one joint");
-  const std::vector<JointSphere> spheres = joint_spheres(document, parts, tree);
+  std::vector<JointSphere> spheres;
+  if (options.blend) spheres = joint_spheres(document, parts, tree);
   const double cell = cell_size(tree);
   Body body(parts, tree, spheres, 2 * cell);
   Result<Body::Sampled> sampled = Error{};
   Surface surface;
   for (const bool tied : {false, true}) {
-    sampled = body.sample(cell, (kWidest + 1) * cell, run);
+    sampled = body.sample(cell, (kWidestHandle + 1) * cell, run);
     if (!sampled) return sampled.error();
     run.report(tied ? 0.4 : 0.3);
-    BlockGrid closed;
-    surface = closed_surface(*sampled, spheres, parts, closed);
-    sampled->grid = std::move(closed);
+    surface = closed_surface(body, *sampled, spheres, parts);
     const auto solid = [](double volume) { return volume > 0; };
     const std::vector<double>& volume = surface.found.volume;
     if (tied || std::count_if(volume.begin(), volume.end(), solid) < 2) break;
@@ -196,7 +191,7 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
   if (run.cancelled()) return cancelled();
   name_the_fused(document, parts, tree, mesh, settled, warnings);
   run.report(0.7);
-  if (options.blend) fair(body, *sampled, spheres, settled, mesh);
+  fair(body, *sampled, spheres, settled, mesh);
   run.report(1);
   return Mesh{mesh.V, split_quads(mesh.V, mesh.Q)};
 }

@@ -151,6 +151,7 @@ Result<Mesh> reduce_volume(const Part& part, const Mesh& mesh, std::span<const R
   const double edge = mean_edge(mesh);
   if (!(edge > 0)) return mesh;
   const Anchors anchors = anchors_of(part, mesh, rims, edge);
+  if (anchors.vertices.empty()) return mesh;  // nothing would hold it open
   if (run.cancelled()) return cancelled();
 
   Mesh scaled = mesh;
