@@ -53,7 +53,7 @@ void NarrowBand::find_front() {
             Vec3::UnitY(),
             0,
             {-1, -1, -1}};
-    double inverse2 = 0;
+    double least = 2;  // to the crossings on the axes
     for (int a = 0; a < 3; ++a) {
       double nearest = 2;
       for (const int side : {-1, 1}) {
@@ -66,12 +66,18 @@ void NarrowBand::find_front() {
         nearest = t;
         f.across[a] = there;
       }
-      if (nearest <= 1) inverse2 += 1 / (nearest * nearest);
+      least = std::min(least, nearest);
     }
-    if (inverse2 == 0) continue;
-    f.distance = 1 / std::sqrt(inverse2);  // to the plane through the crossings on the axes
+    if (least > 1) continue;
+    // First order: exact on planes however they lie, where φ runs as a distance does but for its
+    // scale. The plane through the axes' crossings would push the front to and fro: cells of one
+    // side see more of them than their neighbours across.
     const Vec3 g = gradient(f.index, f.at);
-    if (g.norm() > 1e-6) f.normal = g.normalized();
+    f.distance = least;
+    if (g.norm() > 1e-6) {
+      f.normal = g.normalized();
+      f.distance = std::min(least, std::abs(here) / g.norm());
+    }
     front_.push_back(f);
   }
   // From samples to front cells: what lies across the zero set is one too.

@@ -33,17 +33,20 @@ Mesh collapsed(const Mesh& mesh, int triangles, double error) {
 
 Mesh simplified(const Mesh& mesh, int triangles, double error) {
   const Topology before = topology(mesh);
+  if (mesh.F.rows() <= triangles) return mesh;
   // meshoptimizer looks at a vertex's own triangles alone and may, rarely, pinch a thin place; the
-  // more it takes away, the likelier. Short edges, which say the least, go by our own collapses,
-  // which keep the surface a manifold; where a pinch shows even then, all of them do.
-  Mesh even = mesh.F.rows() > 4 * triangles ? coarsened(mesh, 2 * triangles) : mesh;
-  for (double wanted = triangles; wanted < 1.6 * triangles; wanted *= 1.25) {
+  // more it takes away, the likelier. The shortest edges, which say the least, go by our own
+  // collapses, which keep the surface a manifold; where a pinch shows even then, all of them do.
+  const int enough = std::max(2 * triangles, int(mesh.F.rows() / 12));
+  const Mesh even = mesh.F.rows() > 2 * enough ? coarsened(mesh, enough) : mesh;
+  for (double wanted = triangles; wanted < 1.6 * triangles && wanted < even.F.rows();
+       wanted *= 1.25) {
     Mesh fewer = collapsed(even, int(wanted), error);
     const Topology after = topology(fewer);
     if (after.manifold() && after.euler == before.euler && after.components == before.components)
       return fewer;
   }
-  return mesh.F.rows() > triangles ? coarsened(even, triangles / 2) : mesh;
+  return coarsened(even, std::max(triangles / 2, enough / 4));
 }
 
 }  // namespace artisketch
