@@ -21,8 +21,9 @@ namespace {
 
 // All in mean edges of the mesh, so that the numbers mean the same for every part.
 constexpr double kFarFromContour = 2.5;  // a rim vertex this far off its contour anchors nothing
-constexpr int kRounds = 2;
-constexpr double kSoftWeight = 1;  // of a soft anchor against bending
+constexpr int kRounds = 2;               // of solving
+constexpr int kTurns = 6;                // among the views, to find a place that suits all
+constexpr double kSoftWeight = 1;        // of a soft anchor against bending
 // Ties every vertex to its place ever so weakly: a piece without anchors, or with too few, then
 // stays where it is instead of making the matrix singular.
 constexpr double kTie = 1e-8;
@@ -47,22 +48,35 @@ const PartView* view_of(const Part& part, int frame) {
   return nullptr;
 }
 
-// A point moved across the view's ray onto the nearest contour, if that is at most `most` units
-// away.
-bool onto_contour(const PartView& view, double most, Vec3& p) {
+// Signed distance in units across the view's ray from p to the contour, and the move that ends it.
+double to_contour(const PartView& view, const Vec3& p, Vec3& move) {
+  move.setZero();
   const Vec3 X = view.to_world * p;
-  if (!view.camera.in_front(X)) return false;
+  if (!view.camera.in_front(X)) return 0;
   Vec2 away;
-  const double distance = view.outline.distance(view.camera.project(X), away);
   const double scale = view.camera.pixels_per_unit(X.z());
-  if (std::abs(distance) > most * scale) return false;
-  const Vec3 in_world = view.camera.jacobian(X).transpose() * (away * (distance / (scale * scale)));
-  p -= view.to_world.linear().transpose() * in_world;
-  return true;
+  const double distance = view.outline.distance(view.camera.project(X), away) / scale;
+  const Vec3 in_world = view.camera.jacobian(X).transpose() * (away * (distance / scale));
+  move = -(view.to_world.linear().transpose() * in_world);
+  return distance;
 }
 
-// Rim vertices stand within a cell of their contours: what anchors them is the contour itself. One
-// that several rims share comes to where its contours' cones meet.
+// A place near p that lies on the contours of `own` and outside none, by turns. Where it can't do
+// both, at p's depths, it lies outside none.
+Vec3 settled(const Part& part, std::span<const PartView* const> own, Vec3 p) {
+  for (int round = 0; round < kTurns; ++round)
+    for (const PartView& view : part.views) {
+      if (!view.seen() || view.mirrored) continue;
+      Vec3 move;
+      const double distance = to_contour(view, p, move);
+      const bool onto = round < kTurns / 2 && std::find(own.begin(), own.end(), &view) != own.end();
+      if (distance > 0 || onto) p += move;
+    }
+  return p;
+}
+
+// Rim vertices stand within a cell or two of their contours: what anchors them is the contour
+// itself.
 Anchors anchors_of(const Part& part, const Mesh& mesh, std::span<const Rim> rims, double edge) {
   std::vector<std::vector<const PartView*>> views(mesh.V.rows());
   for (const Rim& rim : rims)
@@ -72,36 +86,27 @@ Anchors anchors_of(const Part& part, const Mesh& mesh, std::span<const Rim> rims
           views[v].push_back(view);
   Anchors anchors;
   for (int v = 0; v < int(views.size()); ++v) {
+    const Vec3 p = mesh.V.row(v).transpose();
+    Vec3 unused;
+    std::erase_if(views[v], [&](const PartView* view) {
+      return std::abs(to_contour(*view, p, unused)) > kFarFromContour * edge;
+    });
     if (views[v].empty()) continue;
-    Vec3 p = mesh.V.row(v).transpose();
-    bool found = true;
-    const int rounds = views[v].size() > 1 ? 4 : 1;
-    for (int round = 0; round < rounds; ++round)
-      for (const PartView* view : views[v])
-        found = found && onto_contour(*view, kFarFromContour * edge, p);
-    if (!found) continue;
     anchors.vertices.push_back(v);
-    anchors.places.push_back(p);
+    anchors.places.push_back(settled(part, views[v], p));
   }
   return anchors;
 }
 
-// Where the surface, in its own edges, lies outside some view's silhouette: the vertices, and the
-// nearest places inside all.
+// The vertices that lie outside some view's silhouette, and where they should be.
 Anchors strays_of(const Part& part, const Points3& V) {
   Anchors strays;
   for (int v = 0; v < V.rows(); ++v) {
-    Vec3 p = V.row(v).transpose();
-    bool outside = false;
-    for (int round = 0; round < 3; ++round)
-      for (const PartView& view : part.views) {
-        if (!view.seen() || view.mirrored || view.outline.distance(view.project(p)) <= 0) continue;
-        outside = true;
-        onto_contour(view, std::numeric_limits<double>::infinity(), p);
-      }
-    if (!outside) continue;
+    const Vec3 p = V.row(v).transpose();
+    const Vec3 inside = settled(part, {}, p);
+    if (inside == p) continue;
     strays.vertices.push_back(v);
-    strays.places.push_back(p);
+    strays.places.push_back(inside);
   }
   return strays;
 }
