@@ -1,24 +1,45 @@
-# Every dependency in one place. Each is found where the system's packages put it; to use another
-# copy, set the cache path named beside it. Targets are artisketch::NAME.
+# Every dependency of the program in one place; all are headers alone. Each is looked for where
+# systems' packages put it; to use another copy, set the cache path ARTISKETCH_NAME_DIR to the
+# folder that holds its headers.
+#
+# A link to each is made in BUILD/include, and only that folder is searched: the same headers serve
+# this machine's compiler and Emscripten's, which must never see /usr/include. They are SYSTEM
+# headers: their warnings are theirs. Targets are artisketch::NAME.
 
-function(artisketch_header_dependency name header variable)
-  find_path(${variable} NAMES ${header} DOC "Folder that holds ${header}" REQUIRED)
-  add_library(artisketch::${name} INTERFACE IMPORTED)
-  # As SYSTEM: their warnings are theirs. Never /usr/include itself, which is searched anyway and
-  # breaks the order of the compiler's own headers when named.
-  if(NOT "${${variable}}" STREQUAL "/usr/include")
-    target_include_directories(artisketch::${name} SYSTEM INTERFACE "${${variable}}")
+set(headers "${PROJECT_BINARY_DIR}/include")
+file(MAKE_DIRECTORY "${headers}")
+
+# Links `entry`, the folder or header that an #include of the dependency begins with.
+#   UNDER folder   beneath a system's include folder, where packages put the entry
+#   SINCE version  the oldest that will do, known by its HAVING a header that older ones lack
+function(artisketch_header_dependency name entry)
+  cmake_parse_arguments(arg "" "UNDER;SINCE;HAVING" "" ${ARGN})
+  string(TOUPPER "ARTISKETCH_${name}_DIR" dir)
+  if(arg_HAVING)
+    set(sought "${entry}/${arg_HAVING}")
+  else()
+    set(sought "${entry}")
   endif()
+  # A cross compiler looks in its own folders alone, unless told.
+  find_path(${dir} NAMES "${sought}" PATHS /usr/local/include /usr/include
+            PATH_SUFFIXES ${arg_UNDER} NO_CMAKE_FIND_ROOT_PATH
+            DOC "Folder that holds ${entry}")
+  if(NOT EXISTS "${${dir}}/${sought}")
+    message(FATAL_ERROR "${name} ${arg_SINCE} was not found. Install it, or pass "
+                        "-D${dir}=FOLDER with the folder that holds ${sought}")
+  endif()
+  file(CREATE_LINK "${${dir}}/${entry}" "${headers}/${entry}" SYMBOLIC)
+  add_library(artisketch::${name} INTERFACE IMPORTED GLOBAL)
+  target_include_directories(artisketch::${name} SYSTEM INTERFACE "${headers}")
 endfunction()
 
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)  # Eigen3_DIR
-add_library(artisketch::eigen INTERFACE IMPORTED)
-target_link_libraries(artisketch::eigen INTERFACE Eigen3::Eigen)
+artisketch_header_dependency(eigen Eigen UNDER eigen3 SINCE 3.4 HAVING src/Core/Reshaped.h)
+artisketch_header_dependency(json nlohmann SINCE 3.11 HAVING detail/abi_macros.hpp)
+artisketch_header_dependency(stb stb HAVING stb_image.h)
+artisketch_header_dependency(tinygltf tiny_gltf.h)
+artisketch_header_dependency(nanoflann nanoflann.hpp)
+artisketch_header_dependency(cli11 CLI HAVING CLI.hpp)
 
-find_package(nlohmann_json 3.11 REQUIRED)  # nlohmann_json_DIR
-add_library(artisketch::json INTERFACE IMPORTED)
-target_link_libraries(artisketch::json INTERFACE nlohmann_json::nlohmann_json)
-
-artisketch_header_dependency(stb stb/stb_image.h ARTISKETCH_STB_DIR)
-artisketch_header_dependency(tinygltf tiny_gltf.h ARTISKETCH_TINYGLTF_DIR)
-artisketch_header_dependency(nanoflann nanoflann.hpp ARTISKETCH_NANOFLANN_DIR)
+# tiny_gltf.h includes the others' headers itself, and stb's without their folder.
+target_link_libraries(artisketch::tinygltf INTERFACE artisketch::json)
+target_include_directories(artisketch::tinygltf SYSTEM INTERFACE "${headers}/stb")

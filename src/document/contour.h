@@ -26,8 +26,9 @@ Box2 bounds(std::span<const Polyline> lines);
 // open line keeps its last point too. At least three for a closed line.
 Polyline resampled(const Polyline& line, double step);
 
-// Where the line first crosses itself, if it does: segments that are not neighbours and share a
-// point. Expected time near-linear in the points (bucket grid).
+// Where the line crosses itself or lies on itself (a fold, a doubled stretch), if it does: the
+// leftmost such place, about. A line that only touches itself, at a vertex or with one, doesn't
+// cross: inside and outside stay clear. O(n log n) on any line; repeated points don't matter.
 std::optional<Vec2> self_crossing(const Polyline& line);
 
 // Centroid of the area inside the closed lines by the even-odd rule; the mean of all points where

@@ -9,10 +9,15 @@
 
 namespace artisketch {
 
-// Fails where the model has nothing to show (no faces) or its numbers are not finite.
+// Joints are nodes 0 … n − 1 in the document's order, the skinned mesh is node n, beside them in
+// the scene. Positions, normals and keys are in single precision; the weights of a vertex sum to
+// exactly 1 in it. A rotation's keys take the short way round (q and −q are the same rotation).
+// Fails where the model has nothing to show (no faces), a number is not finite in single precision,
+// a clip's times do not increase, or the file would pass 2 GB.
 Result<std::string> glb_bytes(const Model& model);
 
-// Reads what glb_bytes writes: one skinned mesh, its joints, clips and texture.
+// Reads what glb_bytes writes: one skinned mesh, its joints, clips and texture. Refuses, saying
+// why, any other glTF and anything damaged; `name` is used in the error only.
 Result<Model> read_glb(std::string_view bytes, const std::string& name);
 
 }  // namespace artisketch

@@ -1,1 +1,105 @@
-#include "model/stages.h"
+#include "files/image_file.h"
+
+#include <algorithm>
+#include <cassert>
+#include <memory>
+
+// The one place that holds stb's code, for itself alone.
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#define STBI_FAILURE_USERMSG
+#include <stb/stb_image.h>
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#include <stb/stb_image_write.h>
+
+#include "files/bytes.h"
+
+namespace artisketch {
+namespace {
+
+constexpr int kLargestSide = 16384;             // as a frame may be
+constexpr long long kMostPixels = 100'000'000;  // 400 MB, five times a good camera's picture
+
+std::string size_words(int width, int height) {
+  return std::to_string(width) + " × " + std::to_string(height);
+}
+
+// The bytes that a frame's `image` stands for.
+Result<std::string> image_bytes(const std::string& image, const std::string& document_path) {
+  if (image.rfind("data:", 0) == 0) {
+    const std::size_t comma = image.find(',');
+    if (comma == image.npos) return bad_input("the data: URI has no comma");
+    return from_base64(std::string_view(image).substr(comma + 1));
+  }
+  const std::size_t slash = document_path.rfind('/');
+  return read_file(slash == document_path.npos ? image
+                                               : document_path.substr(0, slash + 1) + image);
+}
+
+}  // namespace
+
+Result<Image> decode_image(std::string_view bytes, const std::string& name) {
+  const auto bad = [&](const std::string& why) {
+    return bad_input(name + ": " + why + "; save it again as PNG or JPEG");
+  };
+  if (bytes.size() > std::size_t(INT32_MAX)) return bad("is larger than 2 GB");
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = int(bytes.size());
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels))
+    return bad("is no PNG or JPEG image");
+  if (width > kLargestSide || height > kLargestSide || (long long)(width)*height > kMostPixels)
+    return bad("has " + size_words(width, height) +
+               " pixels, too many (16384 a side, 100 million in "
+               "all): make it smaller");
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
+  if (!pixels) return bad("is damaged (" + std::string(stbi_failure_reason()) + ")");
+  Image image(width, height);
+  std::copy_n(pixels.get(), image.rgba.size(), image.rgba.begin());
+  return image;
+}
+
+std::string png_bytes(const Image& image) {
+  assert(image.width > 0 && image.height > 0);
+  const int pixels = image.width * image.height;
+  bool opaque = true;
+  for (int i = 0; opaque && i < pixels; ++i) opaque = image.rgba[4 * std::size_t(i) + 3] == 255;
+  const int channels = opaque ? 3 : 4;
+  std::vector<std::uint8_t> packed;
+  if (opaque) {
+    packed.reserve(3 * std::size_t(pixels));
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+      packed.insert(packed.end(), &image.rgba[i], &image.rgba[i] + 3);
+  }
+  std::string bytes;
+  const auto append = [](void* to, void* data, int size) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(data), std::size_t(size));
+  };
+  stbi_write_png_to_func(append, &bytes, image.width, image.height, channels,
+                         opaque ? packed.data() : image.rgba.data(), image.width * channels);
+  return bytes;
+}
+
+Result<Image> load_frame_image(const Frame& frame, const std::string& document_path) {
+  if (frame.image.empty()) return Image();
+  const std::string whose = document_path + ": the image of frame '" + frame.name + "'";
+  const Result<std::string> bytes = image_bytes(frame.image, document_path);
+  if (!bytes)
+    return bad_input(whose + ": " + bytes.error().text() +
+                     "; put the drawing there, or leave the frame's \"image\" out");
+  Result<Image> image = decode_image(*bytes, whose);
+  if (image && (image->width != frame.width || image->height != frame.height))
+    return bad_input(whose + ": has " + size_words(image->width, image->height) +
+                     " pixels, but the frame's size is " + size_words(frame.width, frame.height) +
+                     "; they should be the same: contours are drawn in the image's pixels");
+  return image;
+}
+
+}  // namespace artisketch

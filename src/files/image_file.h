@@ -21,11 +21,16 @@ struct Image {
   const std::uint8_t* at(int x, int y) const { return &rgba[4 * (std::size_t(y) * width + x)]; }
 };
 
+// Fails on what is no PNG or JPEG, is damaged, or has more than 16384 pixels a side or 100 million
+// in all. `name` is used in the error only.
 Result<Image> decode_image(std::string_view bytes, const std::string& name);
+
+// The image must have pixels. Alpha is left out where all is opaque.
 std::string png_bytes(const Image& image);
 
 // A frame's drawing: a path relative to the document's folder, or a data: URI. An empty image where
-// the frame has none.
+// the frame has none. Fails, naming the frame and what to do, where it cannot be read or is not of
+// the frame's size.
 Result<Image> load_frame_image(const Frame& frame, const std::string& document_path);
 
 }  // namespace artisketch

@@ -13,21 +13,22 @@ struct RenderOptions {
   int width = 800, height = 800;  // pixels
   double yaw = 0, pitch = 0;      // radians: the model turns about +y, then +x
   std::optional<int> frame;       // clip `frames`, key of that index; absent: the rest pose
-  bool skeleton = false;
+  bool skeleton = false;          // drawn over the model
+  bool by_joint = false;          // tinted by the joints, mixed by the weights, untextured
 };
 
-// The model, shaded, anti-aliased, outlined, fitted into the picture.
+// The model, shaded, anti-aliased, outlined, standing on soft ground. It is fitted into the picture
+// by a scale that no yaw changes. Just the background where the model has no faces. options.frame:
+// a key that the clip has not is the rest pose.
 Image render_model(const Model& model, const RenderOptions& options);
 
-// `count` pictures round the vertical axis, side by side.
+// `count` such pictures round the vertical axis, side by side, from options.yaw on in equal turns.
 Image render_turntable(const Model& model, const RenderOptions& options, int count);
 
 // A contact sheet: per frame the sketch with its contours and skeleton, and the posed result over
 // it (before and after calibration where that moved anything); then the rest pose from four sides.
+inline constexpr int kSheetWidth = 1800;
 Image contact_sheet(const Document& document, const std::vector<Image>& sketches,
                     const Reconstruction& result);
-
-// The palette's colour of a joint (EDITOR.md), 0xRRGGBB.
-unsigned joint_colour(int joint);
 
 }  // namespace artisketch

@@ -1,1 +1,102 @@
-#include "model/stages.h"
+#include "files/report_file.h"
+
+#include <cmath>
+
+#include "files/json.h"
+
+namespace artisketch {
+namespace {
+
+Json number(double value) {
+  return std::isfinite(value) ? json_number(value) : Json(nullptr);
+}
+
+Json joint_name(const Document& document, int joint) {
+  return joint < 0 ? Json(nullptr) : Json(document.skeleton.joints[joint].name);
+}
+
+Json frame_name(const Document& document, std::size_t frame) {
+  const std::string& name = document.frames[frame].name;
+  return name.empty() ? Json(frame + 1) : Json(name);
+}
+
+Json words(const std::vector<std::string>& lines) {
+  Json all = Json::array();
+  for (const std::string& line : lines) all.push_back(line);
+  return all;
+}
+
+Json stages_json(const std::vector<StageTime>& stages) {
+  Json all = Json::array();
+  for (const StageTime& stage : stages) {
+    Json one = {{"stage", stage.stage}, {"seconds", number(stage.seconds)}};
+    for (const auto& [name, size] : stage.sizes) one["sizes"][name] = number(size);
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+Json frames_json(const Document& document, const std::vector<FrameFit>& fits) {
+  Json all = Json::array();
+  for (std::size_t f = 0; f < fits.size(); ++f) {
+    Json one = {{"frame", frame_name(document, f)}, {"iou", number(fits[f].iou)}};
+    Json& parts = one["parts"] = Json::array();
+    for (const FrameFit::PartFit& part : fits[f].parts)
+      parts.push_back({{"joint", joint_name(document, part.joint)},
+                       {"contour_distance", number(part.distance)}});
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+Json calibration_json(const Document& document, const Calibration& result) {
+  Json out = Json::object();
+  out["energy_before"] = number(result.energy_before);
+  out["energy_after"] = number(result.energy_after);
+  out["iterations"] = result.iterations;
+  out["largest_rotation"] = {{"joint", joint_name(document, result.largest_rotation_joint)},
+                             {"degrees", number(degrees(result.largest_rotation))}};
+  out["largest_translation"] = number(result.largest_translation);
+  if (document.camera.type == Camera::Type::orthographic) {
+    Json& scales = out["scales"] = Json::array();
+    for (const double scale : result.scales) scales.push_back(number(scale));
+  }
+  Json& coverage = out["coverage"] = Json::array();
+  for (const PartCoverage& part : result.coverage)
+    coverage.push_back({{"joint", joint_name(document, part.joint)},
+                        {"frame", frame_name(document, std::size_t(part.frame))},
+                        {"before", number(part.before)},
+                        {"after", number(part.after)}});
+  out["undetermined"] = words(result.undetermined);
+  out["warnings"] = words(result.warnings);
+  return out;
+}
+
+Json head(const Document& document) {
+  return {{"document", document.name}, {"generator", "ArtiSketch " ARTISKETCH_VERSION}};
+}
+
+}  // namespace
+
+std::string report_text(const Document& document, const Reconstruction& result) {
+  Json report = head(document);
+  report["stages"] = stages_json(result.stages);
+  report["frames"] = frames_json(document, result.fits);
+  report["calibration"] =
+      result.calibration ? calibration_json(document, *result.calibration) : Json(nullptr);
+  report["model"] = {{"vertices", result.model.mesh.V.rows()},
+                     {"triangles", result.model.mesh.F.rows()},
+                     {"joints", result.model.skeleton.size()}};
+  report["warnings"] = words(result.warnings);
+  return json_text(report);
+}
+
+std::string report_text(const Document& document, const Calibration& result, double seconds) {
+  Json report = head(document);
+  report["stages"] = stages_json({{"calibrate", seconds, {}}});
+  report["calibration"] = calibration_json(document, result);
+  report["warnings"] = words(result.warnings);
+  return json_text(report);
+}
+
+}  // namespace artisketch

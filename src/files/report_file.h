@@ -1,4 +1,19 @@
 // `--report`: what a run did and how well it fits, as JSON.
+//
+//   stages[]       stage, seconds, sizes {name: count}
+//   frames[]       frame, iou (silhouette against the union of its closed contours),
+//                  parts[] {joint, contour_distance (symmetric mean, pixels)}
+//   calibration    energy_before, energy_after (pixels²), iterations,
+//                  largest_rotation {joint, degrees}, largest_translation (units),
+//                  scales[] (of orthographic frames),
+//                  coverage[] {joint, frame, before, after} (share of a contour's rays that meet
+//                  the part's hull), undetermined[], warnings[];
+//                  null where poses were not calibrated
+//   model          vertices, triangles, joints
+//   warnings[]     in words
+//
+// Angles in degrees, as in documents. Frames are called by name, or by number (from 1) without one.
+// Numbers that are not finite become null.
 #pragma once
 
 #include <string>
@@ -7,7 +22,10 @@
 
 namespace artisketch {
 
+// Of a whole run. `document` is what went in.
 std::string report_text(const Document& document, const Reconstruction& result);
+
+// Of `artisketch calibrate`: one stage that took `seconds`.
 std::string report_text(const Document& document, const Calibration& result, double seconds);
 
 }  // namespace artisketch

@@ -1,4 +1,4 @@
-// What both methods of calibration share: how far poses may move, and how well they agree.
+// What the calibration methods share: how far poses may move, and how well they agree.
 #pragma once
 
 #include <span>
@@ -8,40 +8,38 @@
 
 namespace artisketch {
 
-// Where the document gives no limits. Users' poses are 8 to 15° off, bad ones 30°.
-inline constexpr double kDefaultMaxRotation = radians(45);
-inline constexpr double kDefaultMaxTranslation = 0.25;  // of the figure's size
-
-// How far calibration may take the poses from the user's. A joint's rotation may turn by at most
-// `rotation`, a frame's root may move by at most `translation`.
-struct PoseBounds {
-  std::vector<double> rotation;  // radians, per joint; 0 where locked
-  double translation = 0;        // units
-  std::vector<bool> moves;       // per frame: it is free at all (frame 1 is not, nor are frames that
-                                 // share too few parts with the others)
+// The document's limits, with our defaults where it sets none.
+struct PoseLimits {
+  double max_rotation = 0;     // radians from the user's local rotation
+  double max_translation = 0;  // units from the user's root position
+  std::vector<char> free;      // per joint: its rotation may change
 };
-PoseBounds pose_bounds(const Document& document);
+PoseLimits pose_limits(const Document& document);
 
-// Diagonal of the box of the rest pose's joints, in units; positive.
-double figure_size(const Document& document);
+// [frame][joint]: the joint has a closed contour in that frame and in another one as well, so that
+// the two can be compared.
+std::vector<std::vector<char>> shared_contours(const Document& document);
 
-// Closed contours of each joint in each frame: which of them other frames can be compared with.
-// shared[f][j]: joint j has a closed contour in frame f and in another one.
-std::vector<std::vector<bool>> shared_parts(const Document& document);
+// Middle of the bones from a joint to its children, in the joint's axes; the joint itself for a
+// leaf.
+Vec3 middle_of_bones(const Skeleton& skeleton, int joint);
 
-// A contour's pixel counts as met where the hull comes this near to its ray in every other view:
-// half a pixel's width for each of the two lines.
-inline constexpr double kTouch = 1;
-
-// Share of each contour's pixels whose ray meets the part's visual hull, at the given poses and
-// scales (one per frame): one entry per part and frame with a closed contour, joints ascending, then
-// frames. 1 where no other frame shows the part.
+// How well each drawn part agrees with its other drawings at given poses.
 struct Coverage {
   int joint = 0, frame = 0;
+  // Share of the contours' pixels whose ray meets the part's visual hull: comes within kTouch of
+  // every other silhouette at one depth. 1 where no other frame shows the part.
   double share = 1;
-  double rms = 0;  // pixels, how far rays miss the hull
+  double miss = 0;  // pixels, root mean square by which rays miss the hull
 };
-std::vector<Coverage> coverage(const Document& document, std::span<const Pose> poses,
-                               std::span<const double> scales);
+inline constexpr double kTouch = 1;  // pixels: half a line's width for each of two drawings
+
+class RayResiduals;
+
+// At the given poses and scales (one per frame): an entry per part and frame with a closed contour,
+// by joint, then frame. rays: of the document.
+std::vector<Coverage> coverage(const Document& document, const RayResiduals& rays,
+                               std::span<const Pose> poses, std::span<const double> scales);
+double mean_share(std::span<const Coverage> all);  // 1 where there are none
 
 }  // namespace artisketch

@@ -1,1 +1,67 @@
+// The whole of it, as the paper's section 1.3 tells it: calibrate the poses, reconstruct every
+// part, make them one skin, bind that to the skeleton.
+#include "model/stage_clock.h"
 #include "model/stages.h"
+
+namespace artisketch {
+namespace {
+
+void append(std::vector<std::string>& to, const std::vector<std::string>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+}  // namespace
+
+Result<Reconstruction> reconstruct(const Document& document, const PipelineOptions& options,
+                                   Run& run) {
+  Reconstruction out;
+  StageClock stages(run, out.stages);
+  out.calibrated = document;
+  if (options.calibrate) {
+    stages.start("calibrate", 0, 0.3);
+    Result<Calibration> calibration = calibrate(document, {options.method}, run);
+    if (!calibration) return calibration.error();
+    out.calibrated = with_poses(document, *calibration);
+    append(out.warnings, calibration->warnings);
+    stages.finish(
+        {{"frames", double(document.frames.size())}, {"iterations", calibration->iterations}});
+    out.calibration = std::move(*calibration);
+  }
+
+  stages.start("surfaces", 0.3, 0.8);
+  const std::vector<Part> parts = parts_of(out.calibrated);
+  double cells = 0, part_vertices = 0;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    stages.part(parts[p].name, int(p), int(parts.size()), 0.3, 0.8);
+    Result<PartSurface> surface =
+        reconstruct_part(parts[p], {options.method, options.grid, options.visual_hull}, run);
+    if (!surface) return surface.error();
+    append(out.warnings, surface->warnings);
+    cells += double(surface->distance.values.size());
+    part_vertices += double(surface->mesh.V.rows());
+    out.parts.push_back(std::move(*surface));
+  }
+  stages.finish({{"parts", double(parts.size())}, {"cells", cells}, {"vertices", part_vertices}});
+
+  stages.start("one skin", 0.8, 0.9);
+  Result<Mesh> mesh = consolidate(out.calibrated, out.parts,
+                                  {!options.visual_hull, options.triangles}, out.warnings, run);
+  if (!mesh) return mesh.error();
+  stages.finish({{"vertices", double(mesh->V.rows())}, {"triangles", double(mesh->F.rows())}});
+
+  stages.start("weights", 0.9, 0.95);
+  Result<Weights> weights = skin(out.calibrated, out.parts, *mesh, run);
+  if (!weights) return weights.error();
+  stages.finish({{"unknowns", double(mesh->V.rows())}});
+
+  stages.start("fit", 0.95, 1);
+  out.model = {
+      document.name,           document.skeleton, std::move(*mesh), std::move(*weights), {}, {},
+      clips_of(out.calibrated)};
+  out.fits = measure_fit(out.calibrated, out.model, out.parts);
+  stages.finish({});
+  run.report(1);
+  return out;
+}
+
+}  // namespace artisketch

@@ -1,1 +1,162 @@
+// Section 4, eq. 1: the surface that bends least between its rims, Δ²x = 0.
+#include <cmath>
+
+#include <Eigen/SparseCholesky>
+
+#include "base/sparse.h"
 #include "model/stages.h"
+
+namespace artisketch {
+namespace {
+
+// All in mean edges of the mesh, so that the numbers mean the same for every part.
+constexpr double kFarFromContour = 2.5;  // a rim vertex this far off its contour anchors nothing
+constexpr double kSoftWeight = 1;        // of a soft anchor against bending
+// Ties every vertex to its place ever so weakly: a piece without anchors, or with too few, then
+// stays where it is instead of making the matrix singular.
+constexpr double kTie = 1e-8;
+constexpr double kStrongTie = 1e-3;  // where rounding makes it singular all the same
+
+double mean_edge(const Mesh& mesh) {
+  double sum = 0;
+  for (int f = 0; f < mesh.F.rows(); ++f)
+    for (int c = 0; c < 3; ++c)
+      sum += (mesh.V.row(mesh.F(f, c)) - mesh.V.row(mesh.F(f, (c + 1) % 3))).norm();
+  return sum / double(std::max<Eigen::Index>(3 * mesh.F.rows(), 1));
+}
+
+struct Anchors {
+  std::vector<int> vertices;  // ascending
+  std::vector<Vec3> places;
+};
+
+const PartView* view_of(const Part& part, int frame) {
+  for (const PartView& view : part.views)
+    if (view.frame == frame && view.seen() && !view.mirrored) return &view;
+  return nullptr;
+}
+
+// A point moved across the view's ray onto the nearest contour, if that is at most `most` units
+// away.
+bool onto_contour(const PartView& view, double most, Vec3& p) {
+  const Vec3 X = view.to_world * p;
+  if (!view.camera.in_front(X)) return false;
+  Vec2 away;
+  const double distance = view.outline.distance(view.camera.project(X), away);
+  const double scale = view.camera.pixels_per_unit(X.z());
+  if (std::abs(distance) > most * scale) return false;
+  const Vec3 in_world = view.camera.jacobian(X).transpose() * (away * (distance / (scale * scale)));
+  p -= view.to_world.linear().transpose() * in_world;
+  return true;
+}
+
+// Rim vertices stand within a cell of their contours: what anchors them is the contour itself. One
+// that several rims share comes to where its contours' cones meet.
+Anchors anchors_of(const Part& part, const Mesh& mesh, std::span<const Rim> rims, double edge) {
+  std::vector<std::vector<const PartView*>> views(mesh.V.rows());
+  for (const Rim& rim : rims)
+    if (const PartView* view = view_of(part, rim.frame))
+      for (const int v : rim.vertices)
+        if (std::find(views[v].begin(), views[v].end(), view) == views[v].end())
+          views[v].push_back(view);
+  Anchors anchors;
+  for (int v = 0; v < int(views.size()); ++v) {
+    if (views[v].empty()) continue;
+    Vec3 p = mesh.V.row(v).transpose();
+    bool found = true;
+    const int rounds = views[v].size() > 1 ? 4 : 1;
+    for (int round = 0; round < rounds; ++round)
+      for (const PartView* view : views[v])
+        found = found && onto_contour(*view, kFarFromContour * edge, p);
+    if (!found) continue;
+    anchors.vertices.push_back(v);
+    anchors.places.push_back(p);
+  }
+  return anchors;
+}
+
+// Between rims the surface may bend out over a contour: what lies outside a silhouette goes back
+// onto it.
+void keep_inside(const Part& part, Mesh& mesh) {
+  for (int v = 0; v < mesh.V.rows(); ++v) {
+    Vec3 p = mesh.V.row(v).transpose();
+    for (int round = 0; round < 3; ++round)
+      for (const PartView& view : part.views)
+        if (view.seen() && !view.mirrored && view.outline.distance(view.project(p)) > 0)
+          onto_contour(view, 1e9, p);
+    mesh.V.row(v) = p.transpose();
+  }
+}
+
+// Minimises xᵀKx + Σ w_i (x_i − t_i)². Rows with an infinite weight are fixed at their target.
+// Returns false where the matrix can't be factored.
+bool minimise(const SparseMatrix& K, const Eigen::VectorXd& weights, const Points3& targets,
+              Points3& x) {
+  const int n = int(K.rows());
+  std::vector<int> unknown(n, -1);
+  int unknowns = 0;
+  for (int v = 0; v < n; ++v)
+    if (std::isfinite(weights[v])) unknown[v] = unknowns++;
+  x = targets;
+  if (unknowns == 0) return true;
+  Points3 b(unknowns, 3);
+  for (int v = 0; v < n; ++v)
+    if (unknown[v] >= 0) b.row(unknown[v]) = weights[v] * targets.row(v);
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(K.nonZeros() / 2 + n);
+  for (int column = 0; column < n; ++column)
+    for (SparseMatrix::InnerIterator it(K, column); it; ++it) {
+      const int i = unknown[it.row()], j = unknown[column];
+      if (i < 0) continue;
+      if (j < 0)
+        b.row(i) -= it.value() * targets.row(column);
+      else if (i >= j)
+        entries.emplace_back(i, j, it.value() + (i == j ? weights[column] : 0));
+    }
+  SparseMatrix A(unknowns, unknowns);
+  A.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<SparseMatrix> factors(A);
+  if (factors.info() != Eigen::Success) return false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::VectorXd solution = factors.solve(Eigen::VectorXd(b.col(axis)));
+    if (!solution.allFinite()) return false;
+    for (int v = 0; v < n; ++v)
+      if (unknown[v] >= 0) x(v, axis) = solution[unknown[v]];
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<Mesh> reduce_volume(const Part& part, const Mesh& mesh, std::span<const Rim> rims,
+                           const ReduceOptions& options, Run& run) {
+  const double edge = mean_edge(mesh);
+  if (!(edge > 0)) return mesh;
+  const Anchors anchors = anchors_of(part, mesh, rims, edge);
+  if (run.cancelled()) return cancelled();
+
+  Mesh scaled = mesh;
+  const Vec3 centre = bounds(mesh.V).center();
+  scaled.V = (mesh.V.rowwise() - centre.transpose()) / edge;
+  const SparseMatrix L = cotangent_laplacian(scaled);
+  const SparseMatrix K = L * SparseMatrix(lumped_areas(scaled).cwiseInverse().asDiagonal() * L);
+  Points3 targets = scaled.V;
+  for (std::size_t a = 0; a < anchors.vertices.size(); ++a)
+    targets.row(anchors.vertices[a]) = ((anchors.places[a] - centre) / edge).transpose();
+  run.report(0.2);
+  for (const double tie : {kTie, kStrongTie}) {
+    if (run.cancelled()) return cancelled();
+    Eigen::VectorXd weights = Eigen::VectorXd::Constant(mesh.V.rows(), tie);
+    for (const int v : anchors.vertices)
+      weights[v] = options.soft_anchors ? kSoftWeight : std::numeric_limits<double>::infinity();
+    Points3 x;
+    if (!minimise(K, weights, targets, x)) continue;
+    Mesh reduced{(x * edge).rowwise() + centre.transpose(), mesh.F};
+    keep_inside(part, reduced);
+    run.report(1);
+    return reduced;
+  }
+  return mesh;  // better unreduced than not at all
+}
+
+}  // namespace artisketch

@@ -1,1 +1,124 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/raster.h"
 #include "model/stages.h"
+
+namespace artisketch {
+namespace {
+
+constexpr double kPerPixel = 2;        // samples per pixel of the sketch, along x and y
+constexpr double kMostSamples = 8192;  // along a side; a larger sketch is sampled more coarsely
+constexpr double kMargin = 2;          // sketch pixels round a part
+
+// A raster over a window of the sketch.
+struct Window {
+  Vec2 origin = Vec2::Zero();  // sketch pixels
+  double per_pixel = kPerPixel;
+  int width = 0, height = 0;
+
+  explicit Window(const Box2& box) : origin(box.min()) {
+    const Vec2 size = box.sizes();
+    per_pixel = std::min(kPerPixel, kMostSamples / std::max(size.maxCoeff(), 1.0));
+    width = int(std::ceil(size.x() * per_pixel));
+    height = int(std::ceil(size.y() * per_pixel));
+  }
+  Vec2 sample(const Vec2& pixel) const { return (pixel - origin) * per_pixel; }
+};
+
+// In sketch pixels. What stands behind the camera goes nowhere, which leaves its triangles out.
+std::vector<Vec2> projected(const Points3& V, const FrameCamera& camera) {
+  std::vector<Vec2> pixels(V.rows());
+  for (int v = 0; v < V.rows(); ++v) {
+    const Vec3 X = V.row(v).transpose();
+    pixels[v] = camera.in_front(X) ? camera.project(X)
+                                   : Vec2(Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return pixels;
+}
+
+Mask triangle_mask(std::vector<Vec2> pixels, const Triangles& F, const Window& window) {
+  Mask mask(window.width, window.height);
+  for (Vec2& p : pixels) p = window.sample(p);
+  add_triangles(pixels, F, mask);
+  return mask;
+}
+
+using Polygons = std::vector<std::vector<Vec2>>;
+
+// The closed contours of a joint, which bound its part by the even-odd rule.
+Polygons closed_contours(const Frame& frame, int joint) {
+  Polygons polygons;
+  for (const Contour& contour : frame.contours)
+    if (contour.joint == joint && contour.line.closed) polygons.push_back(contour.line.points);
+  return polygons;
+}
+
+void add_part(Polygons polygons, const Window& window, Mask& mask) {
+  for (std::vector<Vec2>& polygon : polygons)
+    for (Vec2& p : polygon) p = window.sample(p);
+  add_polygons(polygons, mask);
+}
+
+Points3 moved(const Points3& V, const Transform& motion) {
+  return (V * motion.linear().transpose()).rowwise() + motion.translation().transpose();
+}
+
+double silhouette_overlap(const Document& document, int frame, const Model& model) {
+  const Frame& f = document.frames[frame];
+  const Window window(Box2(Vec2::Zero(), Vec2(f.width, f.height)));
+  const Points3 V = posed_vertices(model.mesh.V, model.weights, model.skeleton, f.pose);
+  const Mask posed =
+      triangle_mask(projected(V, frame_camera(document, frame)), model.mesh.F, window);
+  Mask drawn(window.width, window.height);
+  for (int joint = 0; joint < document.skeleton.size(); ++joint)
+    add_part(closed_contours(f, joint), window, drawn);
+  return intersection_over_union(posed, drawn);
+}
+
+// Sketch pixels between the outline of a part and its contours; +infinity where there is nothing
+// to compare.
+double contour_distance(const Polygons& contours, const std::vector<Vec2>& pixels,
+                        const Triangles& F, const Frame& frame) {
+  Box2 box;
+  for (const std::vector<Vec2>& polygon : contours)
+    for (const Vec2& p : polygon) box.extend(p);
+  for (const Vec2& p : pixels)
+    if (p.allFinite()) box.extend(p);
+  // What projects far off the sketch is off by far, wherever it ends.
+  const Vec2 size(frame.width, frame.height);
+  box = box.intersection(Box2(-size, 2 * size));
+  if (box.isEmpty()) return std::numeric_limits<double>::infinity();
+  const Window window(
+      Box2(box.min() - Vec2::Constant(kMargin), box.max() + Vec2::Constant(kMargin)));
+  Mask drawn(window.width, window.height);
+  add_part(contours, window, drawn);
+  const double samples = outline_distance(drawn, triangle_mask(pixels, F, window));
+  return samples / window.per_pixel;
+}
+
+}  // namespace
+
+std::vector<FrameFit> measure_fit(const Document& calibrated, const Model& model,
+                                  std::span<const PartSurface> parts) {
+  std::vector<FrameFit> fits;
+  for (int f = 0; f < int(calibrated.frames.size()); ++f) {
+    const Frame& frame = calibrated.frames[f];
+    FrameFit fit;
+    fit.iou = silhouette_overlap(calibrated, f, model);
+    const std::vector<Transform> motions = skinning_transforms(calibrated.skeleton, frame.pose);
+    for (const PartSurface& part : parts) {
+      const Polygons contours = closed_contours(frame, part.joint);
+      if (contours.empty()) continue;
+      const auto pixels =
+          projected(moved(part.mesh.V, motions[part.joint]), frame_camera(calibrated, f));
+      const double distance = contour_distance(contours, pixels, part.mesh.F, frame);
+      if (std::isfinite(distance)) fit.parts.push_back({part.joint, distance});
+    }
+    fits.push_back(std::move(fit));
+  }
+  return fits;
+}
+
+}  // namespace artisketch

@@ -1,1 +1,136 @@
-#include "model/stages.h"
+// Heat-diffusion weights (Baran and Popović 2007, section 5): (−Δ + H) w = H p on the surface.
+//
+// We differ in two things that the drawn parts tell. p, the bone that a vertex listens to first, is
+// the part on whose surface the vertex lies; only where several parts' surfaces run together does
+// the nearest bone decide. And H = c / r² takes the limb's radius r at the vertex, not the distance
+// to the bone: a bone may lie anywhere in its limb, or end in the middle of it.
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/SparseCholesky>
+
+#include "base/sparse.h"
+#include "model/body.h"
+
+namespace artisketch {
+namespace {
+
+// c in H = c / r²: nine tenths of the change from one bone to the next take place over about one
+// radius. Pinocchio has 1: three radii, over which posed limbs lose their silhouettes.
+constexpr double kHeat = 9;
+// Parts whose surfaces lie no further apart than this share of the limb's radius are both there.
+constexpr double kTogether = 0.25;
+constexpr double kLeastWeight = 1e-3;  // less is left out
+
+// The radius of the largest ball inside the part that touches its surface at p, from inside.
+double limb_radius(const Body& body, int part, double thickness, const Vec3& p,
+                   const Vec3& inward) {
+  // Along the normal the depth grows as the way does until the ball's centre.
+  const double least = thickness / 16;
+  double low = least, high = thickness;
+  for (int i = 0; i < 6; ++i) {
+    const double middle = std::sqrt(low * high);
+    (-body.part_distance(part, p + middle * inward) > 0.8 * middle ? low : high) = middle;
+  }
+  return low;
+}
+
+struct Listening {
+  std::vector<int> parts;  // to which it listens in equal shares
+  double radius = 0;       // of its limb
+};
+
+Listening listening(const Body& body, const PartTree& tree, const Vec3& p, const Vec3& normal) {
+  Listening result;
+  int nearest = -1;
+  double least = 0;
+  std::vector<double> distance(body.size(), BlockGrid::kOutside);
+  for (int i = 0; i < body.size(); ++i) {
+    if (!tree.nodes[i].solid) continue;
+    distance[i] = body.part_distance(i, p);
+    if (nearest < 0 || distance[i] < least) nearest = i, least = distance[i];
+  }
+  result.radius = limb_radius(body, nearest, tree.nodes[nearest].thickness, p, -normal);
+  double to_bone = BlockGrid::kOutside;
+  for (int i = 0; i < body.size(); ++i) {
+    if (distance[i] > std::max(least, 0.0) + kTogether * result.radius) continue;
+    double d = BlockGrid::kOutside;
+    for (const Segment& axis : tree.nodes[i].axes) d = std::min(d, axis.distance(p));
+    constexpr double kSame = 1e-3;  // beyond a shared joint both bones are equally near
+    if (d < to_bone * (1 - kSame)) {
+      result.parts.assign(1, i);
+      to_bone = d;
+    } else if (d <= to_bone * (1 + kSame)) {
+      result.parts.push_back(i);
+    }
+  }
+  return result;
+}
+
+// The four largest of a vertex's weights, as shares of 1.
+void keep_four(const Eigen::VectorXd& of_part, std::span<const PartSurface> parts, int v,
+               Weights& weights) {
+  std::array<std::pair<double, int>, 4> best{};  // weight, −part
+  for (int i = 0; i < int(parts.size()); ++i) {
+    std::pair<double, int> next{of_part[i], -i};
+    if (next.first < kLeastWeight) continue;
+    for (auto& slot : best)
+      if (next > slot) std::swap(next, slot);
+  }
+  double sum = 0;
+  for (const auto& [w, part] : best) sum += w;
+  double others = 0;
+  for (int k = 3; k >= 0; --k) {
+    const auto& [w, part] = best[k];
+    weights.joints(v, k) = w > 0 ? parts[-part].joint : 0;
+    weights.weights(v, k) = k > 0 ? w / sum : 1 - others;
+    others += w / sum;
+  }
+}
+
+}  // namespace
+
+Result<Weights> skin(const Document& document, std::span<const PartSurface> parts, const Mesh& mesh,
+                     Run& run) {
+  const PartTree tree = part_tree(document, parts);
+  const int count = int(parts.size()), n = int(mesh.V.rows());
+  if (std::none_of(tree.nodes.begin(), tree.nodes.end(), [](const auto& p) { return p.solid; }))
+    return bad_input("no part has a body: draw a closed contour for at least one joint");
+  const Body body(parts, tree, {}, 0);
+  const Points3 normals = vertex_normals(mesh);
+  const Eigen::VectorXd areas = lumped_areas(mesh);
+  Eigen::VectorXd heat(n);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, count);
+  for (int v = 0; v < n; ++v) {
+    if (v % 4096 == 0 && run.cancelled()) return cancelled();
+    const Listening l =
+        listening(body, tree, mesh.V.row(v).transpose(), normals.row(v).transpose());
+    heat[v] = areas[v] * kHeat / (l.radius * l.radius);
+    for (const int part : l.parts) right(v, part) = heat[v] / double(l.parts.size());
+  }
+  run.report(0.3);
+  SparseMatrix A = -cotangent_laplacian(mesh);
+  A += SparseMatrix(heat.asDiagonal());
+  const Eigen::SimplicialLDLT<SparseMatrix> solver(A);
+  if (solver.info() != Eigen::Success)
+    return bad_input("the surface is too degenerate to carry weights");
+  run.report(0.6);
+  Eigen::MatrixXd solved(n, count);
+  for (int part = 0; part < count; ++part) {
+    if (run.cancelled()) return cancelled();
+    solved.col(part) = solver.solve(right.col(part));
+    run.report(0.6 + 0.4 * (part + 1) / count);
+  }
+  Weights weights;
+  weights.joints.resize(n, 4);
+  weights.weights.resize(n, 4);
+  for (int v = 0; v < n; ++v) {
+    Eigen::VectorXd row = solved.row(v).transpose().cwiseMax(0);
+    // A vertex that no heat reaches (none is known) listens to its own part alone.
+    if (!(row.maxCoeff() > kLeastWeight)) row = right.row(v).transpose() / heat[v];
+    keep_four(row, parts, v, weights);
+  }
+  return weights;
+}
+
+}  // namespace artisketch

@@ -25,11 +25,12 @@ enum class Method {
   paper,  // every step as the paper describes it
   rays,   // the same inputs and outputs by rays and interpolants (DESIGN of each stage in its file)
 };
+inline constexpr Method kDefaultMethod = Method::paper;
 
 // ---------------------------------------------------------------- calibration (section 2)
 
 struct CalibrateOptions {
-  Method method = Method::paper;
+  Method method = kDefaultMethod;
 };
 
 struct PartCoverage {
@@ -97,7 +98,7 @@ std::vector<Part> parts_of(const Document& document);
 // ---------------------------------------------------------------- part surfaces (sections 3, 4)
 
 struct SurfaceOptions {
-  Method method = Method::paper;
+  Method method = kDefaultMethod;
   int grid = 100;            // cells along the longest side of the part's grid, 16 … 400
   bool visual_hull = false;  // stop after carving
 };
@@ -210,6 +211,9 @@ struct Clip {
   std::vector<Pose> poses;
 };
 
+// Clip `frames`, one key a second at the document's poses, then the document's own animations.
+std::vector<Clip> clips_of(const Document& document);
+
 struct Model {
   std::string name;
   Skeleton skeleton;
@@ -223,7 +227,7 @@ struct Model {
 // ---------------------------------------------------------------- the whole
 
 struct PipelineOptions {
-  Method method = Method::paper;
+  Method method = kDefaultMethod;
   int grid = 100;
   bool calibrate = true;
   bool visual_hull = false;  // plain hulls of the parts, united without blending

@@ -1,1 +1,29 @@
-#include "model/stages.h"
+// A part's surface by its contour rays: the default method. Steps in rays_field.
+#include "base/mesh_distance.h"
+#include "model/rays_field.h"
+
+namespace artisketch {
+
+Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options, Run& run) {
+  PartSurface out;
+  out.joint = part.joint;
+  if (options.visual_hull) {
+    Result<Grid3<float>> hull = visual_hull(part, options.grid, out.warnings, run);
+    if (!hull) return hull.error();
+    out.distance = std::move(*hull);
+  } else {
+    RaysFieldOptions field_options;
+    field_options.cells = options.grid;
+    Result<RaysField> field = rays_field(part, field_options, run);
+    if (!field) return field.error();
+    out.distance = std::move(field->distance);
+    out.warnings = std::move(field->warnings);
+  }
+  Result<Mesh> mesh = isosurface(out.distance);
+  if (!mesh) return mesh.error();
+  out.mesh = std::move(*mesh);
+  mesh_distance(out.mesh, 4, out.distance);
+  return out;
+}
+
+}  // namespace artisketch

@@ -1,1 +1,95 @@
+// The whole run on the examples, as a user would have it.
 #include <gtest/gtest.h>
+
+#include "files/document_file.h"
+#include "model/stages.h"
+
+namespace artisketch {
+namespace {
+
+Document example(const std::string& name) {
+  Result<Document> document =
+      read_document(ARTISKETCH_SOURCE_DIR "/assets/examples/" + name + "/" + name + ".artisketch");
+  EXPECT_TRUE(document) << (document ? "" : document.error().text());
+  return std::move(document).value();
+}
+
+void expect_sound(const Model& model) {
+  const Topology t = topology(model.mesh);
+  EXPECT_TRUE(t.manifold());
+  EXPECT_EQ(t.components, 1);
+  EXPECT_GT(signed_volume(model.mesh), 0);
+  for (int v = 0; v < model.weights.weights.rows(); ++v)
+    ASSERT_NEAR(model.weights.weights.row(v).sum(), 1, 1e-9);
+}
+
+class Pipeline : public testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(Methods, Pipeline, testing::Values(Method::paper, Method::rays),
+                         [](const auto& info) {
+                           return info.param == Method::paper ? "paper" : "rays";
+                         });
+
+TEST_P(Pipeline, TwoCirclesGiveASphere) {
+  PipelineOptions options;
+  options.method = GetParam();
+  artisketch::Run run;
+  const auto result = reconstruct(example("circles"), options, run);
+  ASSERT_TRUE(result);
+  expect_sound(result->model);
+  const Box3 box = bounds(result->model.mesh.V);
+  const double radius = box.sizes().mean() / 2;
+  EXPECT_NEAR(signed_volume(result->model.mesh), 4.0 / 3 * kPi * std::pow(radius, 3),
+              0.05 * 4.0 / 3 * kPi * std::pow(radius, 3));
+  EXPECT_EQ(topology(result->model.mesh).genus(), 0);
+}
+
+TEST_P(Pipeline, TheHeartsShiftIsFound) {
+  PipelineOptions options;
+  options.method = GetParam();
+  options.grid = 48;
+  artisketch::Run run;
+  const Document heart = example("heart");
+  const auto result = reconstruct(heart, options, run);
+  ASSERT_TRUE(result);
+  expect_sound(result->model);
+  // The second drawing stands 20 % of the heart's height too low.
+  const double height = bounds(result->model.mesh.V).sizes().y();
+  const double moved =
+      result->calibrated.frames[1].pose.root_position.y() - heart.frames[1].pose.root_position.y();
+  EXPECT_NEAR(std::abs(moved) / height, 0.2, 0.015);
+  for (const PartCoverage& c : result->calibration->coverage) EXPECT_GE(c.after, 0.99);
+}
+
+TEST_P(Pipeline, TheHerosSilhouettesFit) {
+  PipelineOptions options;
+  options.method = GetParam();
+  artisketch::Run run;
+  const auto result = reconstruct(example("hero"), options, run);
+  ASSERT_TRUE(result);
+  expect_sound(result->model);
+  ASSERT_EQ(result->fits.size(), 3u);
+  for (const FrameFit& fit : result->fits) EXPECT_GE(fit.iou, 0.95);
+}
+
+TEST(Pipeline, IsDeterministic) {
+  PipelineOptions options;
+  options.grid = 32;
+  artisketch::Run a, b;
+  const auto one = reconstruct(example("heart"), options, a),
+             two = reconstruct(example("heart"), options, b);
+  ASSERT_TRUE(one && two);
+  EXPECT_EQ(one->model.mesh.V, two->model.mesh.V);
+  EXPECT_EQ(one->model.mesh.F, two->model.mesh.F);
+}
+
+TEST(Pipeline, StopsWhenAsked) {
+  const std::atomic<bool> stop = true;
+  artisketch::Run run;
+  run.cancel = &stop;
+  const auto result = reconstruct(example("heart"), {}, run);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().kind, Error::Kind::cancelled);
+}
+
+}  // namespace
+}  // namespace artisketch

@@ -1,4 +1,4 @@
-#include "model/pose_parameters.h"
+#include "model/pose_system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,14 +33,12 @@ Mat3 left_jacobian(const Vec3& v) {
 
 // Just inside, so that rounding on the way to a quaternion and back stays within the limit.
 constexpr double kJustInside = 1 - 1e-9;
+constexpr double kAtLimit = 1 - 1e-6;  // of a limit: it is reached
+constexpr double kStiff = 1e6;         // of a spring that stands for a limit, against all others
 
 Vec3 clamped(const Vec3& v, double bound) {
   const double length = v.norm();
   return length > bound * kJustInside ? Vec3(v * (bound * kJustInside / length)) : v;
-}
-
-bool at_bound(const Vec3& v, double bound) {
-  return bound > 0 && v.norm() >= bound * (1 - 1e-6);
 }
 
 }  // namespace
@@ -60,19 +58,27 @@ Pose changed(const Pose& pose, const FrameChange& change) {
   return moved;
 }
 
-PoseSystem::PoseSystem(const Document& document, const PoseBounds& bounds, const PosePrior& prior,
-                       std::vector<std::vector<bool>> free, bool scale)
+double prior_energy(const PoseChange& change, const PosePrior& prior) {
+  double turns = 0, shifts = 0, scales = 0;
+  for (const FrameChange& frame : change) {
+    for (const Vec3& turn : frame.rotation) turns += turn.squaredNorm();
+    shifts += frame.translation.squaredNorm();
+    scales += frame.log_scale * frame.log_scale;
+  }
+  return turns / (prior.rotation * prior.rotation) +
+         shifts / (prior.translation * prior.translation) +
+         scales / (prior.log_scale * prior.log_scale);
+}
+
+PoseSystem::PoseSystem(const Document& document, PoseFreedom freedom)
     : document_(document),
-      bounds_(bounds),
-      prior_(prior),
-      free_(std::move(free)),
-      scale_(scale),
+      freedom_(std::move(freedom)),
       frames_(int(document.frames.size())),
       node_of_(document.skeleton.size(), -1) {
   const Skeleton& skeleton = document.skeleton;
   for (int j = 0; j < skeleton.size(); ++j) {
     bool ever = j == 0;
-    for (int f = 0; f < frames_; ++f) ever = ever || (free_[f][j] && bounds.rotation[j] > 0);
+    for (int f = 0; f < frames_; ++f) ever = ever || freedom_.joint[f][j];
     if (!ever) continue;
     Node node;
     node.joint = j;
@@ -82,18 +88,6 @@ PoseSystem::PoseSystem(const Document& document, const PoseBounds& bounds, const
       if (node_of_[a] >= 0) node.chain.push_back(node_of_[a]);
     nodes_.push_back(std::move(node));
   }
-}
-
-double PoseSystem::prior_energy(const PoseChange& change) const {
-  double sum = 0;
-  for (const FrameChange& frame : change) {
-    for (std::size_t j = 0; j < frame.rotation.size(); ++j)
-      if (const double width = prior_.rotation[j]; width > 0)
-        sum += frame.rotation[j].squaredNorm() / (width * width);
-    sum += frame.translation.squaredNorm() / (prior_.translation * prior_.translation);
-    sum += frame.log_scale * frame.log_scale / (prior_.log_scale * prior_.log_scale);
-  }
-  return sum;
 }
 
 void PoseSystem::assemble(const PoseChange& change,
@@ -145,23 +139,39 @@ std::vector<PoseSystem::Directions> PoseSystem::directions(
   std::vector<Directions> result;
   for (int f = 0; f < frames_; ++f) {
     Directions S = Directions::Zero(kMotion, node.width);
-    if (free_[f][node.joint] && bounds_.rotation[node.joint] > 0) {
+    if (freedom_.joint[f][node.joint]) {
       const Mat3 user = document_.frames[f].pose.rotations[node.joint].toRotationMatrix();
       const Mat3 turn = (parent < 0 ? Mat3(user) : Mat3(posed[f][parent].linear() * user)) *
                         left_jacobian(change[f].rotation[node.joint]);
       S.topLeftCorner<3, 3>() = turn;
       S.block<3, 3>(3, 0) = cross_matrix(posed[f][node.joint].translation()) * turn;
     }
-    if (node.joint == 0 && bounds_.moves[f]) {
-      if (bounds_.translation > 0) S.block<3, 3>(3, 3).setIdentity();
-      if (scale_) S(6, 6) = 1;
+    if (node.joint == 0 && freedom_.frame[f]) {
+      S.block<3, 3>(3, 3).setIdentity();
+      if (freedom_.scale) S(6, 6) = 1;
     }
     result.push_back(std::move(S));
   }
   return result;
 }
 
-PoseChange PoseSystem::stepped(const PoseChange& change, double damping) const {
+// A stiff spring along what would only press against a limit that is reached.
+void PoseSystem::hold_at_limits(const Node& node, const PoseChange& change, const VectorXd& pull,
+                                MatrixXd& diagonal) const {
+  const auto hold = [&](int at, const Vec3& v, double limit) {
+    if (v.norm() < limit * kAtLimit || pull.segment<3>(at).dot(v) <= 0 || v.isZero(0)) return;
+    const Vec3 outward = v.normalized();
+    diagonal.block<3, 3>(at, at) +=
+        kStiff * diagonal.block<3, 3>(at, at).trace() * outward * outward.transpose();
+  };
+  for (int f = 0; f < frames_; ++f) {
+    hold(node.width * f, change[f].rotation[node.joint], freedom_.max_rotation);
+    if (node.joint == 0) hold(node.width * f + 3, change[f].translation, freedom_.max_translation);
+  }
+}
+
+PoseChange PoseSystem::stepped(const PoseChange& change, const PosePrior& prior,
+                               double damping) const {
   const int n = int(nodes_.size());
   std::vector<std::vector<MatrixXd>> A(n);
   std::vector<VectorXd> x(n);
@@ -169,32 +179,19 @@ PoseChange PoseSystem::stepped(const PoseChange& change, double damping) const {
     const Node& node = nodes_[k];
     A[k] = node.blocks;
     x[k] = -node.gradient;
-    MatrixXd& D = A[k][0];
-    for (int f = 0; f < frames_; ++f) {
-      const int at = node.width * f;
-      const auto pull = [&](int i, double value, double width) {
-        D(at + i, at + i) += 1 / (width * width);
-        x[k][at + i] -= value / (width * width);
-      };
-      const Vec3& turn = change[f].rotation[node.joint];
-      for (int i = 0; i < 3; ++i) pull(i, turn[i], std::max(prior_.rotation[node.joint], 1e-6));
-      if (node.joint == 0) {
-        for (int i = 0; i < 3; ++i) pull(3 + i, change[f].translation[i], prior_.translation);
-        pull(6, change[f].log_scale, prior_.log_scale);
-      }
-    }
-    D.diagonal() *= 1 + damping;
-    // A stiff spring along what would only press against a limit that is reached.
-    const auto hold = [&](int at, const Vec3& v, double bound) {
-      if (!at_bound(v, bound) || x[k].segment<3>(at).dot(v) <= 0) return;
-      const Vec3 outward = v.normalized();
-      D.block<3, 3>(at, at) +=
-          1e6 * D.block<3, 3>(at, at).trace() * outward * outward.transpose();
+    const auto pull = [&, k](int i, double value, double width) {
+      A[k][0](i, i) += 1 / (width * width);
+      x[k][i] -= value / (width * width);
     };
     for (int f = 0; f < frames_; ++f) {
-      hold(node.width * f, change[f].rotation[node.joint], bounds_.rotation[node.joint]);
-      if (node.joint == 0) hold(node.width * f + 3, change[f].translation, bounds_.translation);
+      const int at = node.width * f;
+      for (int i = 0; i < 3; ++i) pull(at + i, change[f].rotation[node.joint][i], prior.rotation);
+      if (node.joint != 0) continue;
+      for (int i = 0; i < 3; ++i) pull(at + 3 + i, change[f].translation[i], prior.translation);
+      pull(at + 6, change[f].log_scale, prior.log_scale);
     }
+    A[k][0].diagonal() *= 1 + damping;
+    hold_at_limits(node, change, x[k], A[k][0]);
   }
   // Leaves first: each node is eliminated from its ancestors, which its chain couples already.
   std::vector<Eigen::LLT<MatrixXd>> L(n);
@@ -220,29 +217,31 @@ PoseChange PoseSystem::stepped(const PoseChange& change, double damping) const {
     for (int f = 0; f < frames_; ++f) {
       const int at = node.width * f;
       Vec3& turn = result[f].rotation[node.joint];
-      if (free_[f][node.joint])
-        turn = clamped(turn + x[k].segment<3>(at), bounds_.rotation[node.joint]);
-      if (node.joint != 0 || !bounds_.moves[f]) continue;
+      if (freedom_.joint[f][node.joint])
+        turn = clamped(turn + x[k].segment<3>(at), freedom_.max_rotation);
+      if (node.joint != 0 || !freedom_.frame[f]) continue;
       result[f].translation =
-          clamped(result[f].translation + x[k].segment<3>(at + 3), bounds_.translation);
-      if (scale_) result[f].log_scale += x[k][at + 6];
+          clamped(result[f].translation + x[k].segment<3>(at + 3), freedom_.max_translation);
+      if (freedom_.scale) result[f].log_scale += x[k][at + 6];
     }
   }
   return result;
 }
 
-double PoseSystem::trace_rotation() const {
-  double t = 0;
-  for (const Node& node : nodes_) for (int f = 0; f < frames_; ++f) t += node.blocks[0].diagonal().segment<3>(node.width * f).sum();
-  return t;
-}
-double PoseSystem::trace_translation() const {
-  double t = 0;
-  for (int f = 0; f < frames_; ++f) t += nodes_[0].blocks[0].diagonal().segment<3>(nodes_[0].width * f + 3).sum();
-  return t;
+double PoseSystem::expected_energy(const PosePrior& prior) const {
+  double sum = 0;
+  for (const Node& node : nodes_)
+    for (int f = 0; f < frames_; ++f) {
+      const auto diagonal = node.blocks[0].diagonal().segment(node.width * f, node.width);
+      sum += diagonal.head<3>().sum() * prior.rotation * prior.rotation;
+      if (node.joint != 0) continue;
+      sum += diagonal.segment<3>(3).sum() * prior.translation * prior.translation;
+      sum += diagonal[6] * prior.log_scale * prior.log_scale;
+    }
+  return sum;
 }
 
-Mat3 PoseSystem::rotation_information(int joint, int frame) const {
+Mat3 PoseSystem::rotation_block(int joint, int frame) const {
   const int k = node_of_[joint];
   if (k < 0) return Mat3::Zero();
   const int at = nodes_[k].width * frame;

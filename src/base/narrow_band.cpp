@@ -1,0 +1,184 @@
+#include "base/narrow_band.h"
+
+#include <cmath>
+
+namespace artisketch {
+namespace {
+
+// Half-width of the piece of plane that a front cell stands for: pieces must overlap where the
+// surface runs diagonally through the cells.
+constexpr double kPiece = 0.75;
+
+}  // namespace
+
+NarrowBand::NarrowBand(Grid3<float> phi, double half_width)
+    : phi_(std::move(phi)), half_width_(half_width), nearest_(phi_.values.size(), -1) {
+  const int reach = int(std::ceil(half_width)) + 1;
+  for (int k = -reach; k <= reach; ++k)
+    for (int j = -reach; j <= reach; ++j)
+      for (int i = -reach; i <= reach; ++i) {
+        const double distance = Vec3(i, j, k).norm();
+        if (distance <= half_width + 1)
+          neighbours_.push_back(
+              {i + j * phi_.stride_y() + k * phi_.stride_z(), {i, j, k}, distance});
+      }
+  std::stable_sort(neighbours_.begin(), neighbours_.end(),
+                   [](const auto& a, const auto& b) { return a.distance < b.distance; });
+  for (std::size_t i = 0; i < phi_.values.size(); ++i) {
+    float& v = phi_.values[i];
+    if (std::abs(v) < half_width_)
+      cells_.push_back({int(i), 0});
+    else
+      v = std::copysign(float(half_width_), v);
+  }
+  lay();
+}
+
+void NarrowBand::lay() {
+  travelled_ = 0;
+  find_front();
+  stamp();
+}
+
+// Central differences, one-sided at the border.
+Vec3 NarrowBand::gradient(int index, const Index3& at) const {
+  const std::ptrdiff_t strides[3] = {1, phi_.stride_y(), phi_.stride_z()};
+  Vec3 g;
+  for (int a = 0; a < 3; ++a) {
+    const std::ptrdiff_t up = at[a] + 1 < phi_.size[a] ? strides[a] : 0;
+    const std::ptrdiff_t down = at[a] > 0 ? strides[a] : 0;
+    const double difference = phi_.values[index + up] - phi_.values[index - down];
+    g[a] = up && down ? difference / 2 : difference;
+  }
+  return g;
+}
+
+void NarrowBand::find_front() {
+  const std::ptrdiff_t strides[3] = {1, phi_.stride_y(), phi_.stride_z()};
+  front_.clear();
+  for (const Cell& cell : cells_) {
+    const float here = phi_.values[cell.index];
+    const int nx = phi_.size.x(), ny = phi_.size.y();
+    Front f{cell.index,
+            {cell.index % nx, cell.index / nx % ny, cell.index / nx / ny},
+            Vec3::UnitY(),
+            0,
+            {-1, -1, -1}};
+    double inverse2 = 0;
+    for (int a = 0; a < 3; ++a) {
+      double nearest = 2;
+      for (const int side : {-1, 1}) {
+        if (f.at[a] + side < 0 || f.at[a] + side >= phi_.size[a]) continue;
+        const int there = int(cell.index + side * strides[a]);
+        const float value = phi_.values[there];
+        if ((here < 0) == (value < 0)) continue;
+        const double t = std::clamp(double(here) / (double(here) - value), 1e-3, 1.0);
+        if (t >= nearest) continue;
+        nearest = t;
+        f.across[a] = there;
+      }
+      if (nearest <= 1) inverse2 += 1 / (nearest * nearest);
+    }
+    if (inverse2 == 0) continue;
+    f.distance = 1 / std::sqrt(inverse2);  // to the plane through the crossings on the axes
+    const Vec3 g = gradient(f.index, f.at);
+    if (g.norm() > 1e-6) f.normal = g.normalized();
+    front_.push_back(f);
+  }
+  // From samples to front cells: what lies across the zero set is one too.
+  for (const Cell& cell : cells_) nearest_[cell.index] = -1;
+  for (int f = 0; f < int(front_.size()); ++f) nearest_[front_[f].index] = f;
+  for (Front& f : front_)
+    for (int& across : f.across)
+      if (across >= 0) across = nearest_[across];
+}
+
+void NarrowBand::stamp() {
+  for (const Cell& cell : cells_) {
+    float& v = phi_.values[cell.index];
+    v = std::copysign(float(half_width_), v);
+    nearest_[cell.index] = -1;
+  }
+  cells_.clear();
+  // A front cell keeps the distance that its own crossings give, and moves with itself.
+  for (int f = 0; f < int(front_.size()); ++f) {
+    const int index = front_[f].index;
+    nearest_[index] = f;
+    phi_.values[index] = std::copysign(float(front_[f].distance), phi_.values[index]);
+    cells_.push_back({index, f});
+  }
+  const std::size_t own = cells_.size();
+  const auto is_front = [&](int index) { return front_[nearest_[index]].index == index; };
+  for (int f = 0; f < int(front_.size()); ++f) {
+    const Front& front = front_[f];
+    const double sign = phi_.values[front.index] < 0 ? -1 : 1;
+    const Vec3 foot = -sign * front.distance * front.normal;
+    const double reach = half_width_ + front.distance;
+    const int margin = int(reach) + 1;
+    const bool inner =
+        (front.at.array() >= margin).all() && (front.at.array() + margin < phi_.size.array()).all();
+    for (const Neighbour& n : neighbours_) {
+      if (n.distance > reach) break;
+      if (!inner) {
+        const Index3 there = front.at + n.offset;
+        if (!phi_.contains(there.x(), there.y(), there.z())) continue;
+      }
+      // Beyond its piece of plane, a front cell stands for that piece's rim.
+      const Vec3 way = n.offset.cast<double>() - foot;
+      const double along = front.normal.dot(way);
+      const double across2 = way.squaredNorm() - along * along;
+      const float distance =
+          float(std::sqrt(along * along + std::max(across2 - kPiece * kPiece, 0.0)));
+      const int index = int(front.index + n.step);
+      float& v = phi_.values[index];
+      if (distance >= std::abs(v)) continue;
+      if (nearest_[index] < 0)
+        cells_.push_back({index, 0});
+      else if (is_front(index))
+        continue;
+      nearest_[index] = f;
+      v = std::copysign(distance, v);
+    }
+  }
+  for (std::size_t c = own; c < cells_.size(); ++c) cells_[c].front = nearest_[cells_[c].index];
+  std::sort(cells_.begin(), cells_.end(),
+            [](const Cell& a, const Cell& b) { return a.index < b.index; });
+}
+
+double NarrowBand::at_surface(int f, std::span<const float> at_front) const {
+  const float here = phi_.values[front_[f].index];
+  double sum = 0;
+  int n = 0;
+  for (const int across : front_[f].across) {
+    if (across < 0) continue;
+    const float there = phi_.values[front_[across].index];
+    // Both may have come to one side since the band was laid: then the nearer one knows best.
+    const double t = (here < 0) != (there < 0)          ? here / (double(here) - there)
+                     : std::abs(here) < std::abs(there) ? 0.0
+                                                        : 1.0;
+    sum += (1 - t) * at_front[f] + t * at_front[across];
+    ++n;
+  }
+  return n ? sum / n : at_front[f];
+}
+
+double NarrowBand::curvature(const Front& f) const {
+  if ((f.at.array() < 1).any() || (f.at.array() + 1 >= phi_.size.array()).any()) return 0;
+  const float* v = &phi_.values[f.index];
+  const std::ptrdiff_t s[3] = {1, phi_.stride_y(), phi_.stride_z()};
+  double first[3], second[3], sum = 0;
+  for (int a = 0; a < 3; ++a) {
+    first[a] = (v[s[a]] - v[-s[a]]) / 2;
+    second[a] = v[s[a]] - 2 * v[0] + v[-s[a]];
+  }
+  const double length2 = first[0] * first[0] + first[1] * first[1] + first[2] * first[2];
+  for (int a = 0; a < 3; ++a) {
+    const int b = (a + 1) % 3;
+    const double mixed = (v[s[a] + s[b]] - v[s[a] - s[b]] - v[s[b] - s[a]] + v[-s[a] - s[b]]) / 4;
+    sum += second[a] * (length2 - first[a] * first[a]) - 2 * first[a] * first[b] * mixed;
+  }
+  const double length = std::sqrt(std::max(length2, 1e-4));
+  return std::clamp(sum / (length * length * length), -1.0, 1.0);
+}
+
+}  // namespace artisketch

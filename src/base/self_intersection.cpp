@@ -1,0 +1,82 @@
+#include "base/self_intersection.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace artisketch {
+namespace {
+
+// Six times the volume of the tetrahedron a, b, c, d.
+double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return (b - a).cross(c - a).dot(d - a);
+}
+
+// Whether the segment p q passes through the inside of a triangle; volumes up to eps are flat.
+bool passes(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& t, double eps) {
+  const double vp = volume(t[0], t[1], t[2], p), vq = volume(t[0], t[1], t[2], q);
+  if (!(vp > eps && vq < -eps) && !(vp < -eps && vq > eps)) return false;
+  const double a = volume(p, q, t[0], t[1]), b = volume(p, q, t[1], t[2]),
+               c = volume(p, q, t[2], t[0]);
+  return (a > eps && b > eps && c > eps) || (a < -eps && b < -eps && c < -eps);
+}
+
+bool triangles_cross(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t, double eps) {
+  for (int e = 0; e < 3; ++e)
+    if (passes(s[e], s[(e + 1) % 3], t, eps) || passes(t[e], t[(e + 1) % 3], s, eps)) return true;
+  return false;
+}
+
+}  // namespace
+
+// Each triangle goes into the cells of a lattice that its box touches, coarse enough to be few.
+std::vector<std::pair<int, int>> self_intersections(const Mesh& mesh) {
+  const int faces = int(mesh.F.rows());
+  std::vector<std::pair<int, int>> pairs;
+  if (faces == 0) return pairs;
+  std::vector<std::array<Vec3, 3>> corners(faces);
+  std::vector<Box3> boxes(faces);
+  double extent = 0;
+  Box3 all;
+  for (int f = 0; f < faces; ++f) {
+    for (int c = 0; c < 3; ++c) {
+      corners[f][c] = mesh.V.row(mesh.F(f, c)).transpose();
+      boxes[f].extend(corners[f][c]);
+    }
+    extent += boxes[f].sizes().maxCoeff();
+    all.extend(boxes[f]);
+  }
+  // Neighbours in one plane differ from it by rounding alone.
+  const double eps = 1e-9 * std::pow(extent / faces, 3);
+  // At most 200 cells along a side.
+  const double cell = std::max(
+      {1.5 * extent / faces, all.sizes().maxCoeff() / 200, 1e-12 * all.max().norm(), 1e-300});
+  const Index3 size = (all.sizes() / cell).cast<int>() + Index3::Ones();
+  const auto cells_of = [&](int f, auto&& visit) {
+    const Index3 low = ((boxes[f].min() - all.min()) / cell).cast<int>();
+    const Index3 high = ((boxes[f].max() - all.min()) / cell).cast<int>();
+    for (int z = low.z(); z <= high.z(); ++z)
+      for (int y = low.y(); y <= high.y(); ++y)
+        for (int x = low.x(); x <= high.x(); ++x) visit(x + size.x() * (y + size.y() * z));
+  };
+  std::vector<int> start(std::size_t(size.prod()) + 1, 0);
+  for (int f = 0; f < faces; ++f) cells_of(f, [&](int c) { ++start[c + 1]; });
+  for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
+  std::vector<int> list(start.back()), next(start.begin(), start.end() - 1);
+  for (int f = 0; f < faces; ++f) cells_of(f, [&](int c) { list[next[c]++] = f; });
+  for (std::size_t c = 0; c + 1 < start.size(); ++c)
+    for (int i = start[c]; i < start[c + 1]; ++i)
+      for (int j = i + 1; j < start[c + 1]; ++j) {
+        const int f = list[i], g = list[j];
+        if (!boxes[f].intersects(boxes[g])) continue;
+        bool shared = false;
+        for (int a = 0; a < 3; ++a)
+          for (int b = 0; b < 3; ++b) shared |= mesh.F(f, a) == mesh.F(g, b);
+        if (!shared && triangles_cross(corners[f], corners[g], eps)) pairs.emplace_back(f, g);
+      }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+}  // namespace artisketch

@@ -1,0 +1,287 @@
+#include "model/carving.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace artisketch {
+namespace {
+
+const double kSameDirection = radians(10);
+
+// A point of the part's bone (or its joint), about which a part without a depth of its own lies.
+Vec3 middle_of_bones(const Part& part) {
+  if (part.bones.empty()) return part.origin;
+  Vec3 sum = Vec3::Zero();
+  for (const Bone& bone : part.bones) sum += (bone.a + bone.b) / 2;
+  return sum / double(part.bones.size());
+}
+
+std::vector<std::vector<Vec2>> closed_lines(const PartView& view) {
+  std::vector<std::vector<Vec2>> closed;
+  for (const Polyline& line : view.contours)
+    if (line.closed) closed.push_back(line.points);
+  return closed;
+}
+
+// Half the outline's width across its narrow side, in pixels: the extent of its points along the
+// axis of their least deviation.
+double narrow_half_width(const PartView& view) {
+  std::vector<Vec2> points;
+  for (const Polyline& line : view.contours)
+    if (line.closed)
+      for (const Vec2& p : resampled(line, 1).points) points.push_back(p);
+  Vec2 mean = Vec2::Zero();
+  for (const Vec2& p : points) mean += p / double(points.size());
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Vec2& p : points) spread += (p - mean) * (p - mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Vec2& p : points) {
+    const double x = axes.eigenvectors().col(0).dot(p - mean);
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  return (high - low) / 2;
+}
+
+Slab slab_of(const std::vector<Silhouette>& views, const Vec3& middle) {
+  Slab slab;
+  for (const Silhouette& view : views)
+    if (!same_direction(view.direction, views[0].direction)) return slab;
+  slab.centre = middle;
+  slab.direction = views[0].direction;
+  slab.half = 0;
+  for (const Silhouette& view : views)
+    slab.half =
+        std::max(slab.half, narrow_half_width(*view.view) / view.view->pixels_per_unit(middle));
+  return slab;
+}
+
+// A box that surely holds the hull: a cube about the point nearest to the middles of all outlines,
+// then only what ever finer carving leaves of it.
+Box3 hull_box(const Carving& carving) {
+  Mat3 A = 1e-3 * Mat3::Identity();  // pulled slightly to the bone, for views of one direction
+  Vec3 b = 1e-3 * carving.middle;
+  double diameter = 0;
+  for (const Silhouette& view : carving.views) {
+    const Box2 box = view.view->outline.box();
+    const Ray ray = view.view->ray(box.center());
+    const Mat3 across = Mat3::Identity() - ray.direction * ray.direction.transpose();
+    A += across;
+    b += across * ray.origin;
+    diameter = std::max(diameter, (box.diagonal().norm() + 2 * view.grown) /
+                                      view.view->pixels_per_unit(carving.middle));
+  }
+  const Vec3 centre = A.ldlt().solve(b);
+  Box3 box(centre - Vec3::Constant(0.75 * diameter), centre + Vec3::Constant(0.75 * diameter));
+  constexpr int n = 20;
+  for (int pass = 0; pass < 3; ++pass) {
+    const Vec3 step = box.sizes() / n;
+    const float reach = float(step.norm() / 2 * 1.05);  // the rasters' few per cent
+    Box3 kept;
+    for (int k = 0; k < n; ++k)
+      for (int j = 0; j < n; ++j) {
+        const Vec3 start = box.min() + Vec3(0.5, j + 0.5, k + 0.5).cwiseProduct(step);
+        float row[n];
+        for (int i = 0; i < n; ++i)
+          row[i] = float(carving.slab.distance(start + Vec3(i * step.x(), 0, 0)));
+        for (const Silhouette& view : carving.views)
+          view.raise(start, Vec3(step.x(), 0, 0), n, row);
+        for (int i = 0; i < n; ++i)
+          if (row[i] <= reach) {
+            const Vec3 p = start + Vec3(i * step.x(), 0, 0);
+            kept.extend(p - step / 2);
+            kept.extend(p + step / 2);
+          }
+      }
+    if (kept.isEmpty()) return kept;
+    box = kept;
+  }
+  return box;
+}
+
+// Mean width of the thinnest outline in units: 2 · area / perimeter, w for a long strip w wide.
+double mean_width(const Carving& carving) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Silhouette& view : carving.views) {
+    double area = 0, perimeter = 0;
+    for (const Polyline& line : view.view->contours)
+      if (line.closed) {
+        area += std::abs(signed_area(line));
+        perimeter += length(line);
+      }
+    least = std::min(least, (2 * area / std::max(perimeter, 1e-9) + 2 * view.grown) /
+                                view.view->pixels_per_unit(carving.middle));
+  }
+  return least;
+}
+
+}  // namespace
+
+bool same_direction(const Vec3& a, const Vec3& b) {
+  return std::abs(a.dot(b)) >= std::cos(kSameDirection);
+}
+
+Silhouette::Silhouette(const PartView& view, int cells) : view(&view) {
+  const double longest = std::max(view.outline.box().sizes().maxCoeff(), 1e-6);
+  const double step = longest / (2.0 * cells);  // half a cell: what the grid can show, and no more
+  raster = DistanceRaster(closed_lines(view), step, 6 * step);
+  direction = view.ray(view.outline.box().center()).direction;
+}
+
+double Silhouette::distance(const Vec3& p) const {
+  const Vec3 X = view->to_world * p;
+  if (!view->camera.in_front(X)) return std::numeric_limits<double>::infinity();
+  return (raster.distance(view->camera.project(X)) - grown) / view->camera.pixels_per_unit(X.z());
+}
+
+void Silhouette::raise(const Vec3& start, const Vec3& step, int n, float* values) const {
+  const FrameCamera& camera = view->camera;
+  const Vec3 X = view->to_world * start, d = view->to_world.linear() * step;
+  const float px = float(camera.principal_point.x()), py = float(camera.principal_point.y());
+  const float x = float(X.x()), y = float(X.y()), dx = float(d.x()), dy = float(d.y());
+  const float g = float(grown);
+  if (camera.camera.type == Camera::Type::orthographic) {
+    const float s = float(camera.pixels_per_unit(0)), per_s = 1 / s;
+    for (int i = 0; i < n; ++i) {
+      const float u = px + s * (x + float(i) * dx), v = py - s * (y + float(i) * dy);
+      values[i] = std::max(values[i], (raster.distance(u, v) - g) * per_s);
+    }
+  } else {
+    const float f = float(camera.camera.focal_length);
+    const float w = float(camera.camera.distance - X.z()), dw = float(-d.z());
+    for (int i = 0; i < n; ++i) {
+      const float depth = w + float(i) * dw;
+      if (depth <= 0) {
+        values[i] = std::numeric_limits<float>::infinity();
+        continue;
+      }
+      const float s = f / depth;
+      const float u = px + s * (x + float(i) * dx), v = py - s * (y + float(i) * dy);
+      values[i] = std::max(values[i], (raster.distance(u, v) - g) / s);
+    }
+  }
+}
+
+Result<Carving> carving_of(const Part& part, std::span<const PartView* const> extra, int cells) {
+  Carving carving;
+  carving.name = part.name;
+  carving.middle = middle_of_bones(part);
+  carving.radius = std::numeric_limits<double>::infinity();
+  const auto add = [&](const PartView& view) {
+    if (!view.seen()) return;
+    carving.views.emplace_back(view, cells);
+    carving.radius = std::min(carving.radius, carving.views.back().raster.deepest() /
+                                                  view.pixels_per_unit(carving.middle));
+  };
+  for (const PartView& view : part.views) add(view);
+  if (carving.views.empty())
+    return bad_input("'" + part.name + "' has no closed contour in any frame");
+  for (const PartView* view : extra) add(*view);
+  carving.slab = slab_of(carving.views, carving.middle);
+  return carving;
+}
+
+Result<Grid3<float>> carving_grid(const Carving& carving, int cells) {
+  const Box3 box = hull_box(carving);
+  if (box.isEmpty()) return bad_input("the contours of '" + carving.name + "' share no volume");
+  double cell = std::max(box.sizes().maxCoeff(), 1e-9) / cells;
+  // A thin part needs some cells across its width to stay in one piece; as its box is mostly
+  // narrow, they cost no more than a plump part's. Where it isn't, the budget decides.
+  const double thin = mean_width(carving) / 5;
+  if (thin < cell) {
+    const double budget = 1.3 * std::pow(cells + 5.0, 3);
+    const Vec3 sizes = box.sizes();
+    const auto samples = [&](double c) { return ((sizes / c).array().ceil() + 5).prod(); };
+    while (cell > thin && samples(cell * 0.95) <= budget) cell *= 0.95;
+  }
+  const Index3 size = (box.sizes() / cell).array().ceil().cast<int>() + 5;
+  return Grid3<float>(box.min() - Vec3::Constant(2 * cell), cell, size,
+                      std::numeric_limits<float>::max());
+}
+
+Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run) {
+  Result<Grid3<float>> grid = carving_grid(carving, cells);
+  if (!grid) return grid;
+  Grid3<float>& g = *grid;
+  // Blocks of 8³ samples: one question in the middle tells whether the block lies wholly outside or
+  // inside by more than its half diagonal. A projection stretches lengths by no more than its
+  // pixels per unit, so the distance in units changes by at most about the way walked.
+  constexpr int kBlock = 8;
+  const double reach = g.cell * (kBlock - 1) / 2.0 * std::sqrt(3.0);
+  for (int k0 = 0; k0 < g.size.z(); k0 += kBlock) {
+    if (run.cancelled()) return cancelled();
+    for (int j0 = 0; j0 < g.size.y(); j0 += kBlock)
+      for (int i0 = 0; i0 < g.size.x(); i0 += kBlock) {
+        const Vec3 centre =
+            g.origin + g.cell * (Vec3(i0, j0, k0) + Vec3::Constant((kBlock - 1) / 2.0));
+        const double at_centre = carving.distance(centre);
+        // A margin of four cells keeps true distances where level sets and interpolation look.
+        const bool far = std::abs(at_centre) > 1.5 * reach + 4 * g.cell;
+        const int n = std::min(kBlock, g.size.x() - i0);
+        for (int k = k0; k < std::min(k0 + kBlock, g.size.z()); ++k)
+          for (int j = j0; j < std::min(j0 + kBlock, g.size.y()); ++j) {
+            float* row = &g(i0, j, k);
+            if (far) {
+              std::fill(row, row + n, float(at_centre));
+              continue;
+            }
+            const Vec3 start = g.position(i0, j, k);
+            for (int i = 0; i < n; ++i)
+              row[i] = float(carving.slab.distance(start + Vec3(i * g.cell, 0, 0)));
+            for (const Silhouette& view : carving.views)
+              view.raise(start, Vec3(g.cell, 0, 0), n, row);
+          }
+      }
+  }
+  return grid;
+}
+
+void widen_until_they_meet(Carving& carving, std::vector<std::string>& warnings) {
+  const auto leaves_nothing = [&](double grown) {
+    for (Silhouette& view : carving.views) view.grown = grown;
+    return hull_box(carving).isEmpty();
+  };
+  // The box search keeps what may touch, so a hull of nothing may leave a box: look for an inside.
+  const auto has_inside = [&](double grown) {
+    if (leaves_nothing(grown)) return false;
+    const Box3 box = hull_box(carving);
+    constexpr int n = 24;
+    for (int k = 0; k <= n; ++k)
+      for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i)
+          if (carving.distance(box.min() + Vec3(i, j, k).cwiseProduct(box.sizes() / n)) < 0)
+            return true;
+    return false;
+  };
+  std::vector<double> before;
+  for (const Silhouette& view : carving.views) before.push_back(view.grown);
+  if (has_inside(0)) {
+    for (std::size_t v = 0; v < before.size(); ++v) carving.views[v].grown = before[v];
+    return;
+  }
+  double most = 1;
+  while (most < 1e4 && !has_inside(most)) most *= 2;
+  double least = most / 2;
+  for (int i = 0; i < 4; ++i) {
+    const double middle = (least + most) / 2;
+    (has_inside(middle) ? most : least) = middle;
+  }
+  // What barely meets is a sliver: a share of the smallest outline gives it a body.
+  double smallest = std::numeric_limits<double>::infinity();
+  std::string frames;
+  for (const Silhouette& view : carving.views) {
+    smallest = std::min(smallest, view.view->outline.box().sizes().minCoeff());
+    frames += (frames.empty() ? "" : ", ") + std::to_string(view.view->frame + 1);
+  }
+  const double grown = most + 0.15 * smallest;
+  for (Silhouette& view : carving.views) view.grown = grown;
+  warnings.push_back("'" + carving.name + "': its contours in frames " + frames +
+                     " share no volume at these poses; they were widened by " +
+                     std::to_string(int(std::lround(grown))) +
+                     " px to give it a body. Check the poses of '" + carving.name + "' there");
+}
+
+}  // namespace artisketch

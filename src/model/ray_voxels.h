@@ -1,0 +1,58 @@
+// Contour rays through a part's voxels, and the voxel pairs at which rays of different frames come
+// nearest (the paper's section 2.2).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/types.h"
+#include "document/camera.h"
+
+namespace artisketch {
+
+// A cube of voxels in part space; voxel (i, j, k) is centred at origin + cell · (i + ½, j + ½, k +
+// ½).
+struct VoxelCube {
+  Vec3 origin = Vec3::Zero();
+  double cell = 1;  // units
+  int side = 0;     // voxels along an edge
+
+  Vec3 centre(int voxel) const {
+    return origin +
+           cell * Vec3(voxel % side + 0.5, voxel / side % side + 0.5, voxel / (side * side) + 0.5);
+  }
+};
+
+// The voxels that a ray passes through, in order (Amanatides and Woo 1987). Rays are lines: both
+// directions count where `whole_line`.
+std::vector<int> voxels_along(const VoxelCube& cube, const Ray& ray, bool whole_line);
+
+// The voxels hit by the rays of a set of frames, and for each by how many of them.
+class HitVoxels {
+ public:
+  // rays[f]: the voxel lists of frame f's rays.
+  HitVoxels(const VoxelCube& cube, const std::vector<std::vector<std::vector<int>>>& rays);
+  ~HitVoxels();
+  HitVoxels(HitVoxels&&) noexcept;
+
+  int frames() const { return frames_; }  // frames with at least one ray
+  int hits(int voxel) const { return hits_[voxel]; }
+
+  struct Pair {
+    int on_ray = -1, hit = -1;  // voxels; −1: none nearer than the bound
+    double distance = 0;        // units, between their centres
+    double cost = 0;            // units: distance + λ (frames − hits)
+  };
+  // The pair of a voxel of `ray` and a hit voxel of least cost (paper: distance + λ (ncam −
+  // nhits)), among pairs no farther apart than `reach` units; lambda in units per missing frame.
+  Pair best_pair(const std::vector<int>& ray, double lambda, double reach) const;
+
+ private:
+  struct Tree;
+  VoxelCube cube_;
+  int frames_ = 0;
+  std::vector<std::uint8_t> hits_;               // per voxel, at most 255
+  std::vector<std::unique_ptr<Tree>> at_least_;  // voxels with 1, 2, … hits
+};
+
+}  // namespace artisketch

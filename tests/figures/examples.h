@@ -1,0 +1,19 @@
+// The documents under assets/examples, made from figures whose truth is known.
+#pragma once
+
+#include "figures.h"
+#include "figures/ink.h"
+
+namespace artisketch::figures {
+
+struct Example {
+  std::string name;
+  Figure figure;
+  Sketches sketches;  // `given` is what the file holds
+  InkStyle ink;
+};
+
+// circles, heart, hero, fox, robot.
+std::vector<Example> examples();
+
+}  // namespace artisketch::figures

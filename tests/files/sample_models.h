@@ -1,0 +1,98 @@
+// Small models with every feature that a GLB of ours can have.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/stages.h"
+
+namespace artisketch {
+
+// A unit sphere about the origin on two joints, with clip `frames` of three keys.
+inline Model two_joint_model(int subdivisions = 2) {
+  Model model;
+  model.name = "ball";
+  model.skeleton.joints = {{"hips", -1, {0, -0.25, 0}, -1, ""},
+                           {"chest.üp", 0, {0.1, 0.5, 0}, -1, ""}};
+  model.mesh = icosphere(Vec3::Zero(), 1, subdivisions);
+  const Eigen::Index n = model.mesh.V.rows();
+  model.weights.joints.setZero(n, 4);
+  model.weights.weights.setZero(n, 4);
+  for (Eigen::Index v = 0; v < n; ++v) {
+    const double up = (model.mesh.V(v, 1) + 1) / 2;
+    model.weights.joints.row(v) << 1, 0, 0, 0;
+    model.weights.weights.row(v) << up, 1 - up, 0, 0;
+  }
+  Clip frames{"frames", {0, 1, 2}, std::vector<Pose>(3, rest_pose(model.skeleton))};
+  for (int k = 1; k < 3; ++k) {
+    frames.poses[k].root_position = {0.1 * k, 0, 0.2};
+    frames.poses[k].rotations[1] = Quat(Eigen::AngleAxisd(1.2 * k, Vec3(1, 2, 3).normalized()));
+  }
+  model.clips.push_back(std::move(frames));
+  return model;
+}
+
+// The same with a texture whose seam splits vertices, and a second clip.
+inline Model textured_model(int subdivisions = 2) {
+  Model model = two_joint_model(subdivisions);
+  model.name = "hips";  // a joint's name too
+  // Every face with vertices of its own: all edges are seams.
+  const Mesh whole = model.mesh;
+  const Weights weights = model.weights;
+  const Eigen::Index n = whole.F.size();
+  model.mesh.V.resize(n, 3);
+  model.weights.joints.resize(n, 4);
+  model.weights.weights.resize(n, 4);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const int v = whole.F.data()[i];
+    model.mesh.V.row(i) = whole.V.row(v);
+    model.mesh.F.data()[i] = int(i);
+    model.weights.joints.row(i) = weights.joints.row(v);
+    model.weights.weights.row(i) = weights.weights.row(v);
+    model.texcoords.emplace_back((whole.V(v, 0) + 1) / 2, (1 - whole.V(v, 1)) / 2);
+  }
+  Texture texture{16, 8, {}};
+  for (int i = 0; i < 16 * 8; ++i)
+    texture.rgba.insert(texture.rgba.end(), {std::uint8_t(i), 90, 60, 255});
+  model.texture = std::move(texture);
+  Clip wave = model.clips[0];
+  wave.name = "wave";
+  wave.times = {0, 0.25, 3.5};
+  model.clips.push_back(std::move(wave));
+  return model;
+}
+
+// A chain of 300 joints; vertices with four influences, repeated and unused ones.
+inline Model many_joints_model() {
+  Model model = two_joint_model();
+  model.name.clear();
+  model.skeleton.joints.resize(1);
+  for (int j = 1; j < 300; ++j)
+    model.skeleton.joints.push_back({"joint " + std::to_string(j), j - 1, {0, 0.005, 0}, -1, ""});
+  for (Eigen::Index v = 0; v < model.mesh.V.rows(); ++v) {
+    const int j = int(v * 299 / (model.mesh.V.rows() - 1));
+    model.weights.joints.row(v) << j, (j + 7) % 300, j, (j + 100) % 300;
+    model.weights.weights.row(v) << 0.3, 1.0 / 3, 0.3 + 1e-12 * double(v), v % 2 ? 0 : 1e-9;
+    model.weights.weights.row(v) /= model.weights.weights.row(v).sum();
+  }
+  model.clips[0] = {"frames", {0}, {rest_pose(model.skeleton)}};  // a single key
+  return model;
+}
+
+inline std::vector<std::pair<std::string, Model>> sample_models() {
+  Model still = two_joint_model();
+  still.clips.clear();
+  return {{"plain", two_joint_model()},
+          {"textured", textured_model()},
+          {"many_joints", many_joints_model()},
+          {"still", std::move(still)}};
+}
+
+// The same features in few bytes.
+inline std::vector<std::pair<std::string, Model>> small_models() {
+  return {{"plain", two_joint_model(0)}, {"textured", textured_model(0)}};
+}
+
+}  // namespace artisketch

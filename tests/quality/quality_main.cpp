@@ -1,0 +1,215 @@
+// artisketch_quality: what the pipeline makes of figures whose truth is known, over seeds, numbers
+// of drawings, cameras, errors of the poses and wobble of the hand.
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <string>
+
+#include "figures/measure.h"
+
+using namespace artisketch;
+using namespace artisketch::figures;
+
+namespace {
+
+constexpr int kWidth = 512, kHeight = 512;  // pixels
+constexpr int kNovelPoses = 6;
+constexpr const char* kUsage =
+    "usage: artisketch_quality [--brief] [--figures N] [--method paper|rays] [--grid N]\n"
+    "                          [--no-calibrate] [--visual-hull]\n";
+
+struct Options {
+  bool brief = false;
+  int figures = 6;
+  PipelineOptions pipeline;
+};
+
+struct Case {
+  int seed = 0;
+  int frames = 3;
+  Camera::Type camera = Camera::Type::orthographic;
+  double pose_error = 0;  // degrees
+  double wobble = 0;      // pixels
+};
+
+struct Row {
+  PoseErrors before, after;
+  double coverage_before = 1, coverage_after = 1;
+  double drawn = 0, novel = 0, volume = 0, seconds = 0;
+};
+
+// The cast in turn, each time with another seed.
+Figure figure_of(int seed) {
+  switch (seed % 4) {
+    case 1:
+      return quadruped(seed);
+    case 3:
+      return robot(seed);
+    default:
+      return human(seed);
+  }
+}
+
+// `to` of the values, each weighed alike.
+template <class Get>
+double mean(const std::vector<Row>& rows, const Get& get) {
+  double sum = 0;
+  for (const Row& row : rows) sum += get(row);
+  return rows.empty() ? 0 : sum / double(rows.size());
+}
+
+void add(PoseErrors& sum, const PoseErrors& one, double weight) {
+  sum.joint_px += weight * one.joint_px;
+  sum.worst_joint_px = std::max(sum.worst_joint_px, one.worst_joint_px);
+  sum.angle += weight * one.angle;
+  sum.in_plane += weight * one.in_plane;
+  sum.out_of_plane += weight * one.out_of_plane;
+  sum.twist += weight * one.twist;
+}
+
+std::optional<Row> measure(const Case& c, const Options& options) {
+  const Figure figure = figure_of(c.seed);
+  const Camera camera = fitting_camera(figure, c.camera, kWidth, kHeight);
+  const Sketches sketches =
+      draw(figure, random_views(figure, c.frames, c.seed), camera, kWidth, kHeight,
+           {.contour_wobble_px = c.wobble,
+            .pose_error_degrees = c.pose_error,
+            .root_error = c.pose_error / 400},
+           c.seed);
+  Run run;
+  const auto start = std::chrono::steady_clock::now();
+  const Result<Reconstruction> made = reconstruct(sketches.given, options.pipeline, run);
+  if (!made) {
+    std::printf("failed: %s\n", made.error().text().c_str());
+    return std::nullopt;
+  }
+  Row row;
+  row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  for (int f = 0; f < c.frames; ++f) {
+    const Pose& truth = sketches.truth.frames[f].pose;
+    const Pose& found = made->calibrated.frames[f].pose;
+    const FrameCamera seen = frame_camera(sketches.truth, f);
+    if (f > 0) {  // the first is given
+      add(row.before, pose_errors(figure, seen, truth, sketches.given.frames[f].pose),
+          1.0 / (c.frames - 1));
+      add(row.after, pose_errors(figure, seen, truth, found), 1.0 / (c.frames - 1));
+    }
+    row.drawn += intersection_over_union(silhouette(figure, truth, seen, kWidth, kHeight),
+                                         silhouette(made->model, found, seen, kWidth, kHeight)) /
+                 c.frames;
+  }
+  if (made->calibration && !made->calibration->coverage.empty()) {
+    row.coverage_before = row.coverage_after = 0;
+    const std::vector<PartCoverage>& all = made->calibration->coverage;
+    for (const PartCoverage& one : all) {
+      row.coverage_before += one.before / double(all.size());
+      row.coverage_after += one.after / double(all.size());
+    }
+  }
+  const FrameCamera still{camera, Vec2(kWidth, kHeight) / 2, 1};
+  for (const View& v : random_views(figure, kNovelPoses, c.seed + 5000))
+    row.novel += intersection_over_union(silhouette(figure, v.pose, still, kWidth, kHeight),
+                                         silhouette(made->model, v.pose, still, kWidth, kHeight)) /
+                 kNovelPoses;
+  row.volume = volume_iou(figure, made->model.mesh);
+  return row;
+}
+
+void print_head() {
+  std::printf("%-30s | %11s | %11s | %17s | %13s | %5s %5s %5s | %6s\n", "", "joints, px",
+              "rotation, °", "in / out / twist", "coverage", "drawn", "novel", "vol.", "s");
+}
+
+void print(const std::string& name, const std::vector<Row>& rows) {
+  const auto m = [&](auto get) { return mean(rows, get); };
+  std::printf(
+      "%-30s | %5.1f %5.1f | %5.1f %5.1f | %5.1f %5.1f %5.1f | %6.3f %6.3f | %.3f %.3f %.3f | "
+      "%6.2f\n",
+      name.c_str(), m([](const Row& r) { return r.before.joint_px; }),
+      m([](const Row& r) { return r.after.joint_px; }),
+      m([](const Row& r) { return r.before.angle; }), m([](const Row& r) { return r.after.angle; }),
+      m([](const Row& r) { return r.after.in_plane; }),
+      m([](const Row& r) { return r.after.out_of_plane; }),
+      m([](const Row& r) { return r.after.twist; }),
+      m([](const Row& r) { return r.coverage_before; }),
+      m([](const Row& r) { return r.coverage_after; }), m([](const Row& r) { return r.drawn; }),
+      m([](const Row& r) { return r.novel; }), m([](const Row& r) { return r.volume; }),
+      m([](const Row& r) { return r.seconds; }));
+  std::fflush(stdout);
+}
+
+std::vector<Case> cases(const Options& options) {
+  std::vector<Case> all;
+  const auto both = {Camera::Type::orthographic, Camera::Type::perspective};
+  for (int seed = 0; seed < options.figures; ++seed) {
+    if (options.brief) {
+      all.push_back(
+          {seed, 3, seed % 2 ? Camera::Type::perspective : Camera::Type::orthographic, 8, 0.75});
+      continue;
+    }
+    for (const int frames : {2, 3, 4})
+      for (const auto camera : both)
+        for (const double error : {0.0, 8.0, 15.0})
+          for (const double wobble : {0.0, 0.75, 1.5})
+            all.push_back({seed, frames, camera, error, wobble});
+  }
+  return all;
+}
+
+bool read_options(int count, char** words, Options& options) {
+  for (int i = 1; i < count; ++i) {
+    const std::string word = words[i];
+    const auto value = [&]() -> std::string { return i + 1 < count ? words[++i] : ""; };
+    if (word == "--brief") {
+      options.brief = true;
+    } else if (word == "--figures") {
+      options.figures = std::atoi(value().c_str());
+    } else if (word == "--grid") {
+      options.pipeline.grid = std::atoi(value().c_str());
+    } else if (word == "--no-calibrate") {
+      options.pipeline.calibrate = false;
+    } else if (word == "--visual-hull") {
+      options.pipeline.visual_hull = true;
+    } else if (word == "--method") {
+      const std::string method = value();
+      if (method != "paper" && method != "rays") return false;
+      options.pipeline.method = method == "paper" ? Method::paper : Method::rays;
+    } else {
+      return false;
+    }
+  }
+  return options.figures > 0 && options.pipeline.grid > 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  Options options;
+  options.pipeline.method = Method::rays;
+  if (!read_options(count, words, options)) {
+    std::fputs(kUsage, stderr);
+    return 2;
+  }
+  print_head();
+  std::map<std::string, std::vector<Row>> groups;  // by one setting, over all others
+  for (const Case& c : cases(options)) {
+    const std::optional<Row> row = measure(c, options);
+    if (!row) continue;
+    const bool perspective = c.camera == Camera::Type::perspective;
+    char name[80], error[40], wobble[40];
+    std::snprintf(name, sizeof name, "%-10s %2d %df %s %2g° %.2gpx", figure_of(c.seed).name.c_str(),
+                  c.seed, c.frames, perspective ? "persp" : "ortho", c.pose_error, c.wobble);
+    print(name, {*row});
+    std::snprintf(error, sizeof error, "poses %2g° off", c.pose_error);
+    std::snprintf(wobble, sizeof wobble, "wobble %.2f px", c.wobble);
+    for (const std::string& group : {std::to_string(c.frames) + " frames",
+                                     std::string(perspective ? "perspective" : "orthographic"),
+                                     std::string(error), std::string(wobble), std::string("~ all")})
+      groups[group].push_back(*row);
+  }
+  std::printf("\n");
+  print_head();
+  for (const auto& group : groups) print(group.first, group.second);
+  return 0;
+}
