@@ -6,7 +6,7 @@
 #include <unordered_map>
 
 #include "files/bytes.h"
-#include "files/json.h"
+#include "files/json_reader.h"
 
 namespace artisketch {
 namespace {
@@ -19,11 +19,6 @@ constexpr double kUnitSlack = 1e-3;    // a rotation further off unit length is 
 constexpr double kUnitAsGiven = 1e-6;  // one closer to it is left as it is
 constexpr double kLeastArea = 0.01;    // pixels²; below, a closed contour encloses nothing to see
 
-struct Range {
-  double low, high;
-  const char* words;
-  bool above_low = false;  // low itself is outside
-};
 constexpr Range kLength{-1e9, 1e9, "a number from -1e9 to 1e9"};
 constexpr Range kPositive{0, 1e9, "a number above 0, at most 1e9", true};
 constexpr Range kNotNegative{0, 1e9, "a number from 0 to 1e9"};
@@ -39,63 +34,16 @@ constexpr const char* kPoint = "two numbers [x, y]";
 constexpr const char* kVector = "three numbers [x, y, z]";
 constexpr const char* kQuaternion = "four numbers [x, y, z, w]";
 
-// One object's fields: those that were asked for are known, the rest is kept.
-class Fields {
+class Reader : JsonReader {
  public:
-  Fields(const Json& object, const JsonPath& path, Faults& faults)
-      : object_(object), path_(path), faults_(faults) {
-    if (!object.is_object() && !object.is_discarded())
-      faults.add(path, "is " + in_words(object) + "; should be an object");
-  }
-  const Json* find(const char* name) {
-    known_.push_back(name);
-    if (!object_.is_object()) return nullptr;
-    const auto found = object_.find(name);
-    return found == object_.end() ? nullptr : &*found;
-  }
-  // A fault where there is none; `right` says what it should be.
-  const Json* need(const char* name, const std::string& right) {
-    const Json* found = find(name);
-    if (!found && object_.is_object()) faults_.add(path_ / name, "is missing; should be " + right);
-    return found;
-  }
-  // The fields that nobody asked for, as the text of a JSON object; empty where there are none.
-  std::string unknown() const {
-    if (!object_.is_object()) return "";
-    Json rest = Json::object();
-    for (const auto& [name, value] : object_.get_ref<const Json::object_t&>())
-      if (std::find(known_.begin(), known_.end(), name) == known_.end())
-        append_field(rest, name, value);
-    return rest.empty() ? "" : rest.dump();
-  }
-
- private:
-  const Json& object_;
-  const JsonPath& path_;
-  Faults& faults_;
-  std::vector<std::string_view> known_;
-};
-
-class Reader {
- public:
-  explicit Reader(Faults& faults) : faults_(faults) {}
+  explicit Reader(Faults& faults) : JsonReader(faults) {}
   Document read(const Json& json);
 
  private:
-  void wrong(const JsonPath& at, const Json& value, const std::string& right) {
-    if (!value.is_discarded()) faults_.add(at, "is " + in_words(value) + "; should be " + right);
-  }
-
-  // Each reads one value into `out` and is true, or reports a fault and leaves `out` alone.
-  bool number(const Json& value, const JsonPath& at, const Range& range, double& out);
-  bool whole(const Json& value, const JsonPath& at, const Range& range, int& out);
-  bool boolean(const Json& value, const JsonPath& at, bool& out);
-  bool text(const Json& value, const JsonPath& at, std::string& out, bool may_be_empty = false);
-  template <class Vector>
-  bool numbers(const Json& value, const JsonPath& at, const char* right, const Range& range,
-               Vector& out);
   bool joint(const Json& value, const JsonPath& at, int& out);
-  bool list(const Json* value, const JsonPath& at, std::size_t most);
+  // Calls read(joint, value, path) for each field of an object keyed by joints.
+  template <class Read>
+  void by_joint(const Json& value, const JsonPath& at, const char* right, const Read& read);
 
   void version(Fields& fields, const JsonPath& root);
   void camera(const Json& value, const JsonPath& at);
@@ -105,7 +53,7 @@ class Reader {
   void frame(const Json& value, const JsonPath& at, int index);
   void image(const Json& value, const JsonPath& at, std::string& out);
   void pose(const Json& value, const JsonPath& at, Pose& out);
-  bool rotation(const Json& value, const JsonPath& at, Quat& out);
+  void rotation(const Json& value, const JsonPath& at, Quat& out);
   void contour(const Json& value, const JsonPath& at, const std::string& frame, Contour& out);
   void check_line(const JsonPath& at, const std::string& whose, const Polyline& line);
   void calibration(const Json& value, const JsonPath& at);
@@ -115,7 +63,6 @@ class Reader {
   void settings(const Json& value, const JsonPath& at);
   void check_depths(const JsonPath& frames);
 
-  Faults& faults_;
   Document document_;
   std::unordered_map<std::string, int> joints_;  // index by name; the first of equal names
 };
@@ -135,49 +82,6 @@ double fan_area(const Polyline& line) {
   return sum;
 }
 
-// ---------------------------------------------------------------- values
-
-bool Reader::number(const Json& value, const JsonPath& at, const Range& range, double& out) {
-  if (!value.is_number()) return wrong(at, value, range.words), false;
-  const double x = value.get<double>();
-  if (!(x >= range.low && x <= range.high) || (range.above_low && x == range.low))
-    return wrong(at, value, range.words), false;
-  out = x;
-  return true;
-}
-
-bool Reader::whole(const Json& value, const JsonPath& at, const Range& range, int& out) {
-  double x = 0;
-  if (value.is_number() && value.get<double>() != std::trunc(value.get<double>()))
-    return wrong(at, value, range.words), false;
-  if (!number(value, at, range, x)) return false;
-  out = int(x);
-  return true;
-}
-
-bool Reader::boolean(const Json& value, const JsonPath& at, bool& out) {
-  if (!value.is_boolean()) return wrong(at, value, "true or false"), false;
-  out = value.get<bool>();
-  return true;
-}
-
-bool Reader::text(const Json& value, const JsonPath& at, std::string& out, bool may_be_empty) {
-  if (!value.is_string() || (!may_be_empty && value.get_ref<const std::string&>().empty()))
-    return wrong(at, value, may_be_empty ? "a text" : "a text that is not empty"), false;
-  out = value.get<std::string>();
-  return true;
-}
-
-template <class Vector>
-bool Reader::numbers(const Json& value, const JsonPath& at, const char* right, const Range& range,
-                     Vector& out) {
-  if (!value.is_array() || value.size() != std::size_t(out.size()))
-    return wrong(at, value, right), false;
-  bool good = true;
-  for (std::size_t i = 0; i < value.size(); ++i) good &= number(value[i], at / i, range, out[i]);
-  return good;
-}
-
 bool Reader::joint(const Json& value, const JsonPath& at, int& out) {
   std::string name;
   if (!text(value, at, name)) return false;
@@ -190,12 +94,19 @@ bool Reader::joint(const Json& value, const JsonPath& at, int& out) {
   return true;
 }
 
-// An array of at most `most` values.
-bool Reader::list(const Json* value, const JsonPath& at, std::size_t most) {
-  if (!value) return false;
-  if (!value->is_array()) return wrong(at, *value, "an array"), false;
-  if (value->size() <= most) return true;
-  return wrong(at, *value, "one of at most " + std::to_string(most)), false;
+template <class Read>
+void Reader::by_joint(const Json& value, const JsonPath& at, const char* right, const Read& read) {
+  if (!value.is_object()) {
+    wrong(at, value, right);
+    return;
+  }
+  for (const auto& [name, given] : value.get_ref<const Json::object_t&>()) {
+    const JsonPath one = at / name;
+    if (const auto found = joints_.find(name); found != joints_.end())
+      read(found->second, given, one);
+    else
+      faults_.add(one, "is no joint; should be a name in /skeleton/joints");
+  }
 }
 
 // ---------------------------------------------------------------- the document
@@ -211,7 +122,7 @@ Document Reader::read(const Json& json) {
 
   const JsonPath frames = root / "frames";
   if (const Json* v = fields.need("frames", "an array of one frame or more");
-      list(v, frames, kMostFrames)) {
+      is_list(v, frames, kMostFrames)) {
     if (v->empty()) faults_.add(frames, "is empty; should have at least one frame");
     document_.frames.resize(v->size());
     for (std::size_t i = 0; i < v->size(); ++i) frame((*v)[i], frames / i, int(i));
@@ -220,7 +131,7 @@ Document Reader::read(const Json& json) {
   if (const Json* v = fields.find("spheres")) spheres(*v, root / "spheres");
   if (const Json* v = fields.find("parts")) parts(*v, root / "parts");
   const JsonPath animations = root / "animations";
-  if (const Json* v = fields.find("animations"); list(v, animations, kMostKeys)) {
+  if (const Json* v = fields.find("animations"); is_list(v, animations, kMostKeys)) {
     std::size_t keys = 0;
     for (std::size_t i = 0; i < v->size(); ++i) animation((*v)[i], animations / i, keys);
   }
@@ -265,7 +176,7 @@ void Reader::skeleton(const Json& value, const JsonPath& at) {
   Fields fields(value, at, faults_);
   const JsonPath joints_at = at / "joints";
   const Json* joints = fields.need("joints", "an array of one joint or more");
-  if (list(joints, joints_at, kMostJoints)) {
+  if (is_list(joints, joints_at, kMostJoints)) {
     if (joints->empty()) faults_.add(joints_at, "is empty; should have at least one joint");
     document_.skeleton.joints.resize(joints->size());
     for (std::size_t i = 0; i < joints->size(); ++i) {
@@ -298,8 +209,11 @@ void Reader::parent(const Json& value, const JsonPath& at, int index) {
       faults_.add(at, "is null, a second root; should be the name of an earlier joint");
     return;
   }
-  if (index == 0) return wrong(at, value, "null: the first joint is the root");
   std::string name;
+  if (index == 0) {
+    wrong(at, value, "null: the first joint is the root");
+    return;
+  }
   if (!text(value, at, name)) return;
   const auto found = joints_.find(name);
   if (found == joints_.end())
@@ -359,7 +273,7 @@ void Reader::frame(const Json& value, const JsonPath& at, int index) {
     pose(*v, at / "pose", frame.pose);
   const JsonPath contours = at / "contours";
   if (const Json* v = fields.need("contours", "an array, empty where nothing is drawn");
-      list(v, contours, kMostPoints)) {
+      is_list(v, contours, kMostPoints)) {
     frame.contours.resize(v->size());
     for (std::size_t i = 0; i < v->size(); ++i)
       contour((*v)[i], contours / i, frame_words(index, frame.name), frame.contours[i]);
@@ -368,16 +282,17 @@ void Reader::frame(const Json& value, const JsonPath& at, int index) {
 }
 
 void Reader::image(const Json& value, const JsonPath& at, std::string& out) {
-  const std::string right =
-      "a path relative to the document, or a data:image/png;base64 or data:image/jpeg;base64 URI";
-  if (!value.is_string()) return wrong(at, value, right);
-  const std::string& uri = value.get_ref<const std::string&>();
-  const bool data = uri.rfind("data:", 0) == 0;
-  const bool good = data ? uri.rfind("data:image/png;base64,", 0) == 0 ||
-                               uri.rfind("data:image/jpeg;base64,", 0) == 0
-                         : !uri.empty() && uri[0] != '/' && uri.find('\0') == uri.npos;
-  if (!good) return wrong(at, value, right);
-  out = uri;
+  const std::string uri = value.is_string() ? value.get<std::string>() : "";
+  const auto starts = [&](const char* with) { return uri.rfind(with, 0) == 0; };
+  const bool good = starts("data:")
+                        ? starts("data:image/png;base64,") || starts("data:image/jpeg;base64,")
+                        : !uri.empty() && uri[0] != '/' && uri.find('\0') == uri.npos;
+  if (good)
+    out = uri;
+  else
+    wrong(at, value,
+          "a path relative to the document, or a data:image/png;base64 or "
+          "data:image/jpeg;base64 URI");
 }
 
 void Reader::pose(const Json& value, const JsonPath& at, Pose& out) {
@@ -385,36 +300,23 @@ void Reader::pose(const Json& value, const JsonPath& at, Pose& out) {
   out.rotations.assign(document_.skeleton.size(), Quat::Identity());
   if (const Json* v = fields.need("root_position", kVector))
     numbers(*v, at / "root_position", kVector, kLength, out.root_position);
-  if (const Json* v = fields.find("rotations")) {
-    const JsonPath rotations = at / "rotations";
-    if (!v->is_object()) {
-      wrong(rotations, *v, "an object of rotations by joint name");
-    } else {
-      for (const auto& [name, given] : v->get_ref<const Json::object_t&>()) {
-        const JsonPath one = rotations / name;
-        const auto found = joints_.find(name);
-        Quat read;
-        if (found == joints_.end())
-          faults_.add(one, "is no joint; should be a name in /skeleton/joints");
-        else if (rotation(given, one, read))
-          out.rotations[found->second] = read;
-      }
-    }
-  }
+  if (const Json* v = fields.find("rotations"))
+    by_joint(*v, at / "rotations", "an object of rotations by joint name",
+             [&](int joint, const Json& given, const JsonPath& one) {
+               rotation(given, one, out.rotations[joint]);
+             });
   out.unknown = fields.unknown();
 }
 
-bool Reader::rotation(const Json& value, const JsonPath& at, Quat& out) {
+void Reader::rotation(const Json& value, const JsonPath& at, Quat& out) {
   Eigen::Vector4d q;
-  if (!numbers(value, at, kQuaternion, kUnit, q)) return false;
+  if (!numbers(value, at, kQuaternion, kUnit, q)) return;
   const double norm = q.norm();
   if (std::abs(norm - 1) > kUnitSlack)
-    return faults_.add(at, "has length " + in_words(json_number(norm)) +
-                               "; should be a unit quaternion, of length 1"),
-           false;
-  if (std::abs(norm - 1) > kUnitAsGiven) q /= norm;
-  out = Quat(q);  // Eigen keeps x, y, z, w too
-  return true;
+    faults_.add(at, "has length " + in_words(json_number(norm)) +
+                        "; should be a unit quaternion, of length 1");
+  else
+    out = Quat(std::abs(norm - 1) > kUnitAsGiven ? Eigen::Vector4d(q / norm) : q);  // x, y, z, w
 }
 
 void Reader::contour(const Json& value, const JsonPath& at, const std::string& frame,
@@ -428,7 +330,7 @@ void Reader::contour(const Json& value, const JsonPath& at, const std::string& f
   if (const Json* v = fields.find("closed")) good = boolean(*v, at / "closed", out.line.closed);
   const JsonPath points_at = at / "points";
   if (const Json* v = fields.need("points", "an array of points [x, y]");
-      list(v, points_at, kMostPoints)) {
+      is_list(v, points_at, kMostPoints)) {
     std::vector<Vec2>& points = out.line.points;
     for (std::size_t i = 0; i < v->size(); ++i) {
       Vec2 point;
@@ -495,7 +397,7 @@ void Reader::calibration(const Json& value, const JsonPath& at) {
       v && number(*v, at / "max_translation", kNotNegative, x))
     limits.max_translation = x;
   const JsonPath locked = at / "locked";
-  if (const Json* v = fields.find("locked"); list(v, locked, kMostJoints))
+  if (const Json* v = fields.find("locked"); is_list(v, locked, kMostJoints))
     for (std::size_t i = 0; i < v->size(); ++i)
       if (int j = 0; joint((*v)[i], locked / i, j)) limits.locked.push_back(j);
   if (const Json* v = fields.find("free_first_frame"))
@@ -509,37 +411,29 @@ void Reader::calibration(const Json& value, const JsonPath& at) {
 }
 
 void Reader::spheres(const Json& value, const JsonPath& at) {
-  if (!value.is_object()) return wrong(at, value, "an object of spheres by joint name");
-  for (const auto& [name, given] : value.get_ref<const Json::object_t&>()) {
-    const JsonPath one = at / name;
-    const auto found = joints_.find(name);
-    if (found == joints_.end())
-      faults_.add(one, "is no joint; should be a name in /skeleton/joints");
-    SphereTweak sphere;
-    Fields fields(given, one, faults_);
-    double radius = 0;
-    if (const Json* v = fields.find("radius"); v && number(*v, one / "radius", kPositive, radius))
-      sphere.radius = radius;
-    if (const Json* v = fields.find("offset"))
-      numbers(*v, one / "offset", kVector, kLength, sphere.offset);
-    sphere.unknown = fields.unknown();
-    if (found != joints_.end()) document_.spheres[found->second] = std::move(sphere);
-  }
+  by_joint(value, at, "an object of spheres by joint name",
+           [&](int joint, const Json& given, const JsonPath& one) {
+             SphereTweak& sphere = document_.spheres[joint];
+             Fields fields(given, one, faults_);
+             double radius = 0;
+             if (const Json* v = fields.find("radius");
+                 v && number(*v, one / "radius", kPositive, radius))
+               sphere.radius = radius;
+             if (const Json* v = fields.find("offset"))
+               numbers(*v, one / "offset", kVector, kLength, sphere.offset);
+             sphere.unknown = fields.unknown();
+           });
 }
 
 void Reader::parts(const Json& value, const JsonPath& at) {
-  if (!value.is_object()) return wrong(at, value, "an object of parts by joint name");
-  for (const auto& [name, given] : value.get_ref<const Json::object_t&>()) {
-    const JsonPath one = at / name;
-    const auto found = joints_.find(name);
-    if (found == joints_.end())
-      faults_.add(one, "is no joint; should be a name in /skeleton/joints");
-    PartSettings part;
-    Fields fields(given, one, faults_);
-    if (const Json* v = fields.find("fatness")) number(*v, one / "fatness", kFatness, part.fatness);
-    part.unknown = fields.unknown();
-    if (found != joints_.end()) document_.parts[found->second] = std::move(part);
-  }
+  by_joint(value, at, "an object of parts by joint name",
+           [&](int joint, const Json& given, const JsonPath& one) {
+             PartSettings& part = document_.parts[joint];
+             Fields fields(given, one, faults_);
+             if (const Json* v = fields.find("fatness"))
+               number(*v, one / "fatness", kFatness, part.fatness);
+             part.unknown = fields.unknown();
+           });
 }
 
 // `count`: the keys of all animations so far.
@@ -550,7 +444,7 @@ void Reader::animation(const Json& value, const JsonPath& at, std::size_t& count
     text(*v, at / "name", animation.name);
   const JsonPath keys = at / "keys";
   if (const Json* v = fields.need("keys", "an array of one key or more");
-      list(v, keys, kMostKeys - count)) {
+      is_list(v, keys, kMostKeys - count)) {
     count += v->size();
     if (v->empty()) faults_.add(keys, "is empty; should have at least one key");
     animation.keys.resize(v->size());

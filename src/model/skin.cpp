@@ -53,6 +53,7 @@ Listening listening(const Body& body, const PartTree& tree, const Vec3& p, const
   result.radius = limb_radius(body, nearest, tree.nodes[nearest].thickness, p, -normal);
   double to_bone = BlockGrid::kOutside;
   for (int i = 0; i < body.size(); ++i) {
+    if (i != nearest && !tree.meet(i, nearest)) continue;
     if (distance[i] > std::max(least, 0.0) + kTogether * result.radius) continue;
     double d = BlockGrid::kOutside;
     for (const Segment& axis : tree.nodes[i].axes) d = std::min(d, axis.distance(p));

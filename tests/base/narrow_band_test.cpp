@@ -29,8 +29,10 @@ TEST(NarrowBand, LaysDistancesFromSignsThatAreRight) {
   for (float& v : phi.values) v *= 0.5f;  // the zero set stays, the distances are wrong
   NarrowBand band(phi, 3);
   band.lay();
-  for (const NarrowBand::Cell& cell : band.cells())
-    EXPECT_NEAR(band.phi().values[cell.index], radius_at(cell.index) - 12.3, 0.3);
+  for (const NarrowBand::Cell& cell : band.cells()) {
+    const double distance = radius_at(cell.index) - 12.3;
+    EXPECT_NEAR(band.phi().values[cell.index], distance, std::abs(distance) < 1.2 ? 0.3 : 0.45);
+  }
   int in_band = 0;
   for (std::size_t i = 0; i < phi.values.size(); ++i) {
     const double distance = radius_at(int(i)) - 12.3;

@@ -53,7 +53,9 @@ TEST_P(Pipeline, TheHeartsShiftIsFound) {
   ASSERT_TRUE(result);
   expect_sound(result->model);
   // The second drawing stands 20 % of the heart's height too low.
-  const double height = bounds(result->model.mesh.V).sizes().y();
+  const Frame& front = heart.frames[0];
+  const double height =
+      bounds(std::span(&front.contours[0].line, 1)).sizes().y() / heart.camera.pixels_per_unit;
   const double moved =
       result->calibrated.frames[1].pose.root_position.y() - heart.frames[1].pose.root_position.y();
   EXPECT_NEAR(std::abs(moved) / height, 0.2, 0.015);
