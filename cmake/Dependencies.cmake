@@ -43,3 +43,20 @@ artisketch_header_dependency(cli11 CLI HAVING CLI.hpp)
 # tiny_gltf.h includes the others' headers itself, and stb's without their folder.
 target_link_libraries(artisketch::tinygltf INTERFACE artisketch::json)
 target_include_directories(artisketch::tinygltf SYSTEM INTERFACE "${headers}/stb")
+
+if(EMSCRIPTEN)
+  # Compiled along: the system's library is for the system. Debian has it as the source package
+  # `meshoptimizer`.
+  set(ARTISKETCH_MESHOPTIMIZER_SOURCE "" CACHE PATH "Folder of meshoptimizer's sources")
+  file(GLOB sources "${ARTISKETCH_MESHOPTIMIZER_SOURCE}/src/*.cpp")
+  if(NOT sources)
+    message(FATAL_ERROR "Set ARTISKETCH_MESHOPTIMIZER_SOURCE to the folder of meshoptimizer's sources "
+                        "(apt-get source meshoptimizer)")
+  endif()
+  add_library(meshoptimizer_web STATIC ${sources})
+  target_include_directories(meshoptimizer_web SYSTEM INTERFACE "${ARTISKETCH_MESHOPTIMIZER_SOURCE}/src")
+  add_library(artisketch::meshoptimizer ALIAS meshoptimizer_web)
+else()
+  find_package(meshoptimizer REQUIRED)  # meshoptimizer_DIR
+  add_library(artisketch::meshoptimizer ALIAS meshoptimizer::meshoptimizer)
+endif()

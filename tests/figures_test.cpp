@@ -8,10 +8,8 @@
 namespace artisketch::figures {
 namespace {
 
-const Figure* cast(int which) {
-  static const Figure figures[] = {ball_figure(), two_balls(), heart(),     capsule_arm(),
-                                   human(1),      human(2),    quadruped(), robot()};
-  return which < 8 ? &figures[which] : nullptr;
+std::vector<Figure> cast() {
+  return {ball_figure(), two_balls(), heart(), capsule_arm(), human(1), quadruped(1), robot(1)};
 }
 
 TEST(Figures, ABallsOutlineIsItsCircle) {
@@ -42,66 +40,79 @@ TEST(Figures, RestMeshesAreClosedAndAsLargeAsTheSolid) {
   const Mesh mesh = rest_mesh(ball_figure(0.5), 0.02);
   EXPECT_TRUE(topology(mesh).manifold());
   EXPECT_NEAR(signed_volume(mesh), kPi / 6, 0.005);
-  for (int i = 0; i < 8; ++i) {
-    const Topology t = topology(rest_mesh(*cast(i), 0.03));
-    EXPECT_TRUE(t.manifold()) << cast(i)->name;
-    EXPECT_EQ(t.components, 1) << cast(i)->name;
+  for (const Figure& figure : cast()) {
+    const Topology t = topology(rest_mesh(figure, 0.03));
+    EXPECT_TRUE(t.manifold()) << figure.name;
+    EXPECT_EQ(t.components, 1) << figure.name;
   }
 }
 
-TEST(Figures, OutlinesHoldTheProjectedTruth) {
-  for (int i = 0; i < 8; ++i)
-    for (const auto type : {Camera::Type::orthographic, Camera::Type::perspective}) {
-      const Figure& figure = *cast(i);
-      const Camera camera = fitting_camera(figure, type, 400, 400);
-      const Sketches s = draw(figure, random_views(figure, 2, i + 1), camera, 400, 400);
-      for (int f = 0; f < 2; ++f) {
-        const std::vector<Mesh> parts = posed_parts(figure, s.truth.frames[f].pose, 0.015);
-        const FrameCamera seen = frame_camera(s.truth, f);
-        for (int j = 0; j < figure.skeleton.size(); ++j) {
-          if (figure.parts[j].empty()) continue;
-          std::vector<std::vector<Vec2>> polygons;
-          for (const Polyline& line : contours_of(s.truth.frames[f], j))
-            polygons.push_back(line.points);
-          ASSERT_FALSE(polygons.empty());
-          const PolygonDistance outside(polygons);
-          double farthest = -1e9;
-          Box2 box, drawn;
-          for (int v = 0; v < parts[j].V.rows(); ++v) {
-            const Vec2 p = seen.project(parts[j].V.row(v).transpose());
-            farthest = std::max(farthest, outside.distance(p));
-            box.extend(p);
-          }
-          for (const auto& polygon : polygons)
-            for (const Vec2& p : polygon) drawn.extend(p);
-          const std::string where = figure.name + " " + figure.skeleton.joints[j].name;
-          EXPECT_LT(farthest, kOutlineTolerance + 0.3) << where;
-          // … and nothing more: the mesh's corners reach the outline.
-          EXPECT_LT((box.min() - drawn.min()).norm(), 1.0) << where;
-          EXPECT_LT((box.max() - drawn.max()).norm(), 1.0) << where;
-        }
+// The farthest that a part's mesh reaches outside its drawn outline, and how far the boxes of both
+// are apart, in pixels.
+void expect_outline_of(const Mesh& part, const FrameCamera& camera,
+                       const std::vector<Polyline>& lines, const std::string& where) {
+  ASSERT_FALSE(lines.empty()) << where;
+  std::vector<std::vector<Vec2>> polygons;
+  for (const Polyline& line : lines) polygons.push_back(line.points);
+  const PolygonDistance outside(polygons);
+  const Box2 drawn = artisketch::bounds(lines);
+  double farthest = -1e9;
+  Box2 reached;
+  for (int v = 0; v < part.V.rows(); ++v) {
+    const Vec2 p = camera.project(part.V.row(v).transpose());
+    farthest = std::max(farthest, outside.distance(p));
+    reached.extend(p);
+  }
+  EXPECT_LT(farthest, kOutlineTolerance + 0.2) << where;
+  EXPECT_LT((reached.min() - drawn.min()).norm(), 1) << where;
+  EXPECT_LT((reached.max() - drawn.max()).norm(), 1) << where;
+}
+
+TEST(Figures, OutlinesHoldTheProjectedTruthAndNoMore) {
+  bool perspective = false;
+  for (const Figure& figure : cast()) {
+    perspective = !perspective;
+    const auto type = perspective ? Camera::Type::perspective : Camera::Type::orthographic;
+    const Camera camera = fitting_camera(figure, type, 300, 300);
+    const Sketches s = draw(figure, random_views(figure, 2, 7), camera, 300, 300);
+    const std::vector<Mesh> parts = posed_parts(figure, s.truth.frames[1].pose, 0.02);
+    for (int j = 0; j < figure.skeleton.size(); ++j)
+      if (!figure.parts[j].empty())
+        expect_outline_of(parts[j], frame_camera(s.truth, 1), contours_of(s.truth.frames[1], j),
+                          figure.name + " " + figure.skeleton.joints[j].name);
+  }
+}
+
+TEST(Figures, ContoursDoNotCrossThemselves) {
+  for (const Figure& figure : cast())
+    for (const double wobble : {0.0, 1.5}) {
+      const Camera camera = fitting_camera(figure, Camera::Type::orthographic, 300, 300);
+      const Sketches s = draw(figure, random_views(figure, 1, 3), camera, 300, 300,
+                              {.contour_wobble_px = wobble}, 3);
+      for (const Contour& contour : s.given.frames[0].contours) {
+        EXPECT_FALSE(self_crossing(contour.line)) << figure.name;
+        EXPECT_GE(contour.line.points.size(), 12u);
+        EXPECT_LE(contour.line.points.size(), 300u);
       }
     }
 }
 
-TEST(Figures, ContoursDoNotCrossThemselves) {
-  for (int i = 0; i < 8; ++i)
-    for (const double wobble : {0.0, 1.5}) {
-      const Figure& figure = *cast(i);
-      const Camera camera = fitting_camera(figure, Camera::Type::orthographic, 512, 512);
-      const Sketches s = draw(figure, random_views(figure, 2, i), camera, 512, 512,
-                              {.contour_wobble_px = wobble}, i);
-      for (const Frame& frame : s.given.frames)
-        for (const Contour& contour : frame.contours) {
-          EXPECT_FALSE(self_crossing(contour.line)) << figure.name;
-          EXPECT_GE(contour.line.points.size(), 12u);
-          EXPECT_LE(contour.line.points.size(), 300u);
-        }
-    }
+TEST(Figures, TheHandWobblesAsMuchAsAsked) {
+  const Camera camera{Camera::Type::orthographic, 200};
+  const Figure figure = ball_figure(0.5);
+  const Sketches s = draw(figure, std::vector{view(figure, "", about_y(0))}, camera, 300, 300,
+                          {.contour_wobble_px = 1.5}, 1);
+  const Polyline line = resampled(s.given.frames[0].contours[0].line, 1);
+  double square = 0;
+  for (const Vec2& p : line.points) {
+    const double off = (p - Vec2(150, 150)).norm() - 100;
+    square += off * off / double(line.points.size());
+  }
+  EXPECT_NEAR(std::sqrt(square), 1.5, 0.15);
 }
 
 TEST(Figures, PosesAreOffByWhatWasAsked) {
-  const Figure figure = human(3);
+  const Figure figure = capsule_arm();
   const Camera camera = fitting_camera(figure, Camera::Type::orthographic, 200, 200);
   const Sketches s = draw(figure, random_views(figure, 3, 4), camera, 200, 200,
                           {.pose_error_degrees = 8, .root_error = 0.05}, 5);
@@ -117,7 +128,7 @@ TEST(Figures, PosesAreOffByWhatWasAsked) {
 
 TEST(Figures, TheSameSeedDrawsTheSameAndAnotherDoesNot) {
   const auto points = [](std::uint64_t seed) {
-    const Figure figure = human(seed);
+    const Figure figure = quadruped(seed);
     const Camera camera = fitting_camera(figure, Camera::Type::perspective, 200, 200);
     const Sketches s = draw(figure, random_views(figure, 2, seed), camera, 200, 200,
                             {.contour_wobble_px = 1, .pose_error_degrees = 8}, seed);

@@ -40,8 +40,8 @@ int main(int count, char** words) {
     return 2;
   }
   const std::set<std::string> wanted(words + 2, words + count);
-  for (const figures::Example& example : figures::examples())
-    if (wanted.empty() || wanted.count(example.name))
-      if (!write_example(example, words[1])) return 3;
+  for (const std::string& name : figures::example_names())
+    if (wanted.empty() || wanted.count(name))
+      if (!write_example(figures::example(name), words[1])) return 3;
   return 0;
 }

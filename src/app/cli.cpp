@@ -298,6 +298,8 @@ int run_cli(const std::vector<std::string>& arguments) {
   make.add_option("-o,--output", a.out, "the model to write (.glb)")->required();
   make.add_option("--grid", a.grid, "cells along a part's longest side (default 100)")
       ->check(CLI::Range(16, 400));
+  make.add_option("--triangles", a.triangles, "of the model, about (default 15000)")
+      ->check(CLI::Range(100, 10000000));
   make.add_flag("--no-calibrate", a.no_calibrate, "trust the document's poses");
   make.add_option("--calibrated", a.calibrated, "the document at the calibrated poses");
   make.add_option("--preview", a.preview,

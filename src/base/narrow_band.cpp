@@ -13,17 +13,6 @@ constexpr double kPiece = 0.75;
 
 NarrowBand::NarrowBand(Grid3<float> phi, double half_width)
     : phi_(std::move(phi)), half_width_(half_width), nearest_(phi_.values.size(), -1) {
-  const int reach = int(std::ceil(half_width)) + 1;
-  for (int k = -reach; k <= reach; ++k)
-    for (int j = -reach; j <= reach; ++j)
-      for (int i = -reach; i <= reach; ++i) {
-        const double distance = Vec3(i, j, k).norm();
-        if (distance <= half_width + 1)
-          neighbours_.push_back(
-              {i + j * phi_.stride_y() + k * phi_.stride_z(), {i, j, k}, distance});
-      }
-  std::stable_sort(neighbours_.begin(), neighbours_.end(),
-                   [](const auto& a, const auto& b) { return a.distance < b.distance; });
   for (std::size_t i = 0; i < phi_.values.size(); ++i) {
     float& v = phi_.values[i];
     if (std::abs(v) < half_width_)
@@ -37,7 +26,7 @@ NarrowBand::NarrowBand(Grid3<float> phi, double half_width)
 void NarrowBand::lay() {
   travelled_ = 0;
   find_front();
-  stamp();
+  carry_distances();
 }
 
 // Central differences, one-sided at the border.
@@ -64,7 +53,7 @@ void NarrowBand::find_front() {
             Vec3::UnitY(),
             0,
             {-1, -1, -1}};
-    double inverse2 = 0;
+    double least = 2;  // to the crossings on the axes
     for (int a = 0; a < 3; ++a) {
       double nearest = 2;
       for (const int side : {-1, 1}) {
@@ -77,12 +66,18 @@ void NarrowBand::find_front() {
         nearest = t;
         f.across[a] = there;
       }
-      if (nearest <= 1) inverse2 += 1 / (nearest * nearest);
+      least = std::min(least, nearest);
     }
-    if (inverse2 == 0) continue;
-    f.distance = 1 / std::sqrt(inverse2);  // to the plane through the crossings on the axes
+    if (least > 1) continue;
+    // First order: exact on planes however they lie, where φ runs as a distance does but for its
+    // scale. The plane through the axes' crossings would push the front to and fro: cells of one
+    // side see more of them than their neighbours across.
     const Vec3 g = gradient(f.index, f.at);
-    if (g.norm() > 1e-6) f.normal = g.normalized();
+    f.distance = least;
+    if (g.norm() > 1e-6) {
+      f.normal = g.normalized();
+      f.distance = std::min(least, std::abs(here) / g.norm());
+    }
     front_.push_back(f);
   }
   // From samples to front cells: what lies across the zero set is one too.
@@ -93,56 +88,54 @@ void NarrowBand::find_front() {
       if (across >= 0) across = nearest_[across];
 }
 
-void NarrowBand::stamp() {
+void NarrowBand::carry_distances() {
   for (const Cell& cell : cells_) {
     float& v = phi_.values[cell.index];
     v = std::copysign(float(half_width_), v);
     nearest_[cell.index] = -1;
   }
-  cells_.clear();
   // A front cell keeps the distance that its own crossings give, and moves with itself.
-  for (int f = 0; f < int(front_.size()); ++f) {
-    const int index = front_[f].index;
-    nearest_[index] = f;
-    phi_.values[index] = std::copysign(float(front_[f].distance), phi_.values[index]);
-    cells_.push_back({index, f});
-  }
-  const std::size_t own = cells_.size();
-  const auto is_front = [&](int index) { return front_[nearest_[index]].index == index; };
+  std::vector<std::pair<int, Index3>> wave;
   for (int f = 0; f < int(front_.size()); ++f) {
     const Front& front = front_[f];
-    const double sign = phi_.values[front.index] < 0 ? -1 : 1;
-    const Vec3 foot = -sign * front.distance * front.normal;
-    const double reach = half_width_ + front.distance;
-    const int margin = int(reach) + 1;
-    const bool inner =
-        (front.at.array() >= margin).all() && (front.at.array() + margin < phi_.size.array()).all();
-    for (const Neighbour& n : neighbours_) {
-      if (n.distance > reach) break;
-      if (!inner) {
-        const Index3 there = front.at + n.offset;
-        if (!phi_.contains(there.x(), there.y(), there.z())) continue;
-      }
-      // Beyond its piece of plane, a front cell stands for that piece's rim.
-      const Vec3 way = n.offset.cast<double>() - foot;
-      const double along = front.normal.dot(way);
-      const double across2 = way.squaredNorm() - along * along;
-      const float distance =
-          float(std::sqrt(along * along + std::max(across2 - kPiece * kPiece, 0.0)));
-      const int index = int(front.index + n.step);
-      float& v = phi_.values[index];
-      if (distance >= std::abs(v)) continue;
-      if (nearest_[index] < 0)
-        cells_.push_back({index, 0});
-      else if (is_front(index))
-        continue;
-      nearest_[index] = f;
-      v = std::copysign(distance, v);
-    }
+    nearest_[front.index] = f;
+    phi_.values[front.index] = std::copysign(float(front.distance), phi_.values[front.index]);
+    wave.emplace_back(front.index, front.at);
   }
-  for (std::size_t c = own; c < cells_.size(); ++c) cells_[c].front = nearest_[cells_[c].index];
-  std::sort(cells_.begin(), cells_.end(),
-            [](const Cell& a, const Cell& b) { return a.index < b.index; });
+  // From there a wave runs outward: each sample hands its front cell on to its neighbours.
+  const std::ptrdiff_t strides[3] = {1, phi_.stride_y(), phi_.stride_z()};
+  for (std::size_t w = 0; w < wave.size(); ++w) {
+    const auto [index, at] = wave[w];
+    const int f = nearest_[index];
+    for (int a = 0; a < 3; ++a)
+      for (const int side : {-1, 1}) {
+        Index3 there = at;
+        there[a] += side;
+        if (there[a] < 0 || there[a] >= phi_.size[a]) continue;
+        const int next = int(index + side * strides[a]);
+        float& v = phi_.values[next];
+        int& nearest = nearest_[next];
+        if (nearest == f || (nearest >= 0 && front_[nearest].index == next)) continue;
+        const float distance = distance_to_piece(f, there - front_[f].at);
+        if (distance >= std::abs(v)) continue;
+        nearest = f;
+        v = std::copysign(distance, v);
+        wave.emplace_back(next, there);
+      }
+  }
+  cells_.clear();
+  for (int i = 0; i < int(nearest_.size()); ++i)
+    if (nearest_[i] >= 0) cells_.push_back({i, nearest_[i]});
+}
+
+// From the sample `offset` away from a front cell to the piece of plane that the cell stands for;
+// beyond it, to that piece's rim.
+float NarrowBand::distance_to_piece(int f, const Index3& offset) const {
+  const Front& front = front_[f];
+  const double side = phi_.values[front.index] < 0 ? -1 : 1;
+  const Vec3 way = offset.cast<double>() + side * front.distance * front.normal;
+  const double along = front.normal.dot(way), across2 = way.squaredNorm() - along * along;
+  return float(std::sqrt(along * along + std::max(across2 - kPiece * kPiece, 0.0)));
 }
 
 double NarrowBand::at_surface(int f, std::span<const float> at_front) const {

@@ -12,18 +12,18 @@ double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return (b - a).cross(c - a).dot(d - a);
 }
 
-bool segment_meets(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& t) {
+// Whether the segment p q passes through the inside of a triangle; volumes up to eps are flat.
+bool passes(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& t, double eps) {
   const double vp = volume(t[0], t[1], t[2], p), vq = volume(t[0], t[1], t[2], q);
-  if ((vp > 0) == (vq > 0)) return false;
+  if (!(vp > eps && vq < -eps) && !(vp < -eps && vq > eps)) return false;
   const double a = volume(p, q, t[0], t[1]), b = volume(p, q, t[1], t[2]),
                c = volume(p, q, t[2], t[0]);
-  return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+  return (a > eps && b > eps && c > eps) || (a < -eps && b < -eps && c < -eps);
 }
 
-bool triangles_meet(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
+bool triangles_cross(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t, double eps) {
   for (int e = 0; e < 3; ++e)
-    if (segment_meets(s[e], s[(e + 1) % 3], t) || segment_meets(t[e], t[(e + 1) % 3], s))
-      return true;
+    if (passes(s[e], s[(e + 1) % 3], t, eps) || passes(t[e], t[(e + 1) % 3], s, eps)) return true;
   return false;
 }
 
@@ -46,6 +46,8 @@ std::vector<std::pair<int, int>> self_intersections(const Mesh& mesh) {
     extent += boxes[f].sizes().maxCoeff();
     all.extend(boxes[f]);
   }
+  // Neighbours in one plane differ from it by rounding alone.
+  const double eps = 1e-9 * std::pow(extent / faces, 3);
   // At most 200 cells along a side.
   const double cell = std::max(
       {1.5 * extent / faces, all.sizes().maxCoeff() / 200, 1e-12 * all.max().norm(), 1e-300});
@@ -70,7 +72,7 @@ std::vector<std::pair<int, int>> self_intersections(const Mesh& mesh) {
         bool shared = false;
         for (int a = 0; a < 3; ++a)
           for (int b = 0; b < 3; ++b) shared |= mesh.F(f, a) == mesh.F(g, b);
-        if (!shared && triangles_meet(corners[f], corners[g])) pairs.emplace_back(f, g);
+        if (!shared && triangles_cross(corners[f], corners[g], eps)) pairs.emplace_back(f, g);
       }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

@@ -8,7 +8,8 @@
 
 namespace artisketch {
 
-// Pairs of triangles that share no vertex and yet meet, lower face first, in ascending order.
+// Pairs of triangles that share no vertex and yet pass through each other, lower face first, in
+// ascending order. Touching or lying in one plane doesn't count.
 std::vector<std::pair<int, int>> self_intersections(const Mesh& mesh);
 
 }  // namespace artisketch

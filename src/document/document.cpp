@@ -1,5 +1,8 @@
 #include "document/document.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 namespace artisketch {
@@ -8,6 +11,16 @@ FrameCamera frame_camera(const Document& document, int frame) {
   const Frame& f = document.frames[frame];
   return {document.camera, f.principal_point.value_or(Vec2(f.width, f.height) / 2),
           document.camera.type == Camera::Type::orthographic ? f.scale : 1};
+}
+
+double pixel_size(const Document& document) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t f = 0; f < document.frames.size(); ++f) {
+    const FrameCamera camera = frame_camera(document, int(f));
+    const Vec3& root = document.frames[f].pose.root_position;
+    if (camera.in_front(root)) least = std::min(least, 1 / camera.pixels_per_unit(root.z()));
+  }
+  return std::isfinite(least) ? least : 0;
 }
 
 std::vector<Polyline> contours_of(const Frame& frame, int joint) {

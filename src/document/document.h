@@ -93,6 +93,9 @@ struct Document {
 // The camera of one frame, principal point and scale resolved.
 FrameCamera frame_camera(const Document& document, int frame);
 
+// Units that a pixel takes at the root's depth, the least over the frames.
+double pixel_size(const Document& document);
+
 // The lines that outline a joint's part in a frame, in the order drawn.
 std::vector<Polyline> contours_of(const Frame& frame, int joint);
 

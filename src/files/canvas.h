@@ -54,8 +54,8 @@ struct Lettering {
   bool bold = false;
 };
 
-// The width in pixels that a UTF-8 text takes. Characters beyond ASCII and a few signs show as
-// boxes.
+// The width in pixels that a UTF-8 text takes. Characters beyond Latin-1
+// show as boxes.
 double text_width(std::string_view text, const Lettering& lettering);
 
 // Draws a text from its baseline's left end; returns where it ends.

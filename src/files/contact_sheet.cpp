@@ -17,7 +17,7 @@ constexpr unsigned kSheet = 0xF5F6F8, kPaper = 0xFFFFFF, kLine = 0xD2D6DC, kText
                    kMuted = 0x59616B, kAccent = 0x0B7F6B, kWarning = 0x8A5A00, kError = 0xBF2F1F;
 constexpr int kMargin = 36, kGutter = 20, kHeader = 92, kCaption = 30, kRowGap = 22;
 constexpr double kTileRadius = 8;
-constexpr Lettering kTitle{26, true}, kHeading{15, true}, kName{14, true}, kBody{13, false};
+constexpr Lettering kTitle{26, true}, kName{14, true}, kBody{13, false};
 const std::string kDot = "  \xC2\xB7  ";
 
 constexpr const char* kSides[] = {"Front", "Right side", "Back", "Left side"};
@@ -56,7 +56,7 @@ struct Layout {
   int tile_x(int column) const { return kMargin + column * (tile_width + kGutter); }
 };
 
-Layout layout_of(const Document& document) {
+Layout layout_of(const Document& document, int width) {
   Layout layout;
   const int n = std::max(int(document.frames.size()), 1);
   layout.paired = n <= 2;
@@ -66,7 +66,7 @@ Layout layout_of(const Document& document) {
   const int per_row = layout.paired ? n : layout.columns;
   layout.groups = document.frames.empty() ? 0 : (n + per_row - 1) / per_row;
   constexpr int kWidest = 640;  // of a tile
-  const int room = kSheetWidth - 2 * kMargin - (layout.columns - 1) * kGutter;
+  const int room = width - 2 * kMargin - (layout.columns - 1) * kGutter;
   layout.tile_width = std::min(room / layout.columns, kWidest);
   layout.content = layout.columns * (layout.tile_width + kGutter) - kGutter;
   layout.width = layout.content + 2 * kMargin;
@@ -151,15 +151,23 @@ struct Caption {
 void place_tile(Image& sheet, const Image& tile, const Caption& caption, int x, int y, int width,
                 int height) {
   const Vec2 baseline(x + 2, y + kCaption - 10.5);
+  // Where both don't fit, the name is what a person looks for.
   const double remark = text_width(caption.remark, kBody);
-  draw_text(sheet, baseline, shortened(caption.name, kName, width - remark - 24), kName,
-            colour(kText));
-  draw_text_right(sheet, {x + width - 2.0, baseline.y()}, caption.remark, kBody,
-                  colour(caption.remark_colour));
+  const bool roomy = remark < 0.65 * width;
+  draw_text(sheet, baseline, shortened(caption.name, kName, width - (roomy ? remark + 24 : 4)),
+            kName, colour(kText));
+  if (roomy)
+    draw_text_right(sheet, {x + width - 2.0, baseline.y()}, caption.remark, kBody,
+                    colour(caption.remark_colour));
   const int left = x + (width - tile.width) / 2, top = y + kCaption + (height - tile.height) / 2;
   draw_image(sheet, tile, left, top, 1, kTileRadius);
   const Box2 box(Vec2(left, top), Vec2(left + tile.width, top + tile.height));
   draw_rectangle(sheet, box, kTileRadius, 1, colour(kLine));
+}
+
+// The colour of an overlap.
+unsigned verdict(double iou) {
+  return iou < 0.8 ? kError : iou < 0.9 ? kWarning : kAccent;
 }
 
 Caption fit_caption(const Reconstruction& result, int frame) {
@@ -173,7 +181,7 @@ Caption fit_caption(const Reconstruction& result, int frame) {
                         [](double s, const FrameFit::PartFit& part) { return s + part.distance; });
     caption.remark += kDot + "parts " + decimal(sum / double(fit.parts.size()), 1) + " px";
   }
-  caption.remark_colour = fit.iou < 0.8 ? kError : fit.iou < 0.9 ? kWarning : kAccent;
+  caption.remark_colour = verdict(fit.iou);
   return caption;
 }
 
@@ -194,14 +202,16 @@ void draw_header(Image& sheet, const Layout& layout, const Document& document,
                             counted((long long)drawn_joints(document).size(), "part") + kDot +
                             counted(document.skeleton.size(), "joint") + kDot +
                             counted((long long)result.model.mesh.F.rows(), "triangle");
-  draw_text(sheet, {kMargin, 73}, shortened(facts, kBody, layout.content * 0.8), kBody,
+  const std::string unit = "mean silhouette IoU";
+  draw_text(sheet, {kMargin, 73},
+            shortened(facts, kBody, layout.content - text_width(unit, kBody) - 24), kBody,
             colour(kMuted));
   if (result.fits.empty()) return;
   double sum = 0;
   for (const FrameFit& fit : result.fits) sum += fit.iou;
-  draw_text_right(sheet, {right, 48}, decimal(sum / double(result.fits.size()), 3), kTitle,
-                  colour(kAccent));
-  draw_text_right(sheet, {right, 73}, "mean silhouette IoU", kBody, colour(kMuted));
+  const double mean = sum / double(result.fits.size());
+  draw_text_right(sheet, {right, 48}, decimal(mean, 3), kTitle, colour(verdict(mean)));
+  draw_text_right(sheet, {right, 73}, unit, kBody, colour(kMuted));
 }
 
 // Draws the parts' names beside their colours from y on, or only measures; returns the height.
@@ -228,8 +238,8 @@ int legend(Image* sheet, const Layout& layout, const Document& document, int y) 
 }  // namespace
 
 Image contact_sheet(const Document& document, const std::vector<Image>& sketches,
-                    const Reconstruction& result) {
-  const Layout layout = layout_of(document);
+                    const Reconstruction& result, int width) {
+  const Layout layout = layout_of(document, width);
   const int legend_height = legend(nullptr, layout, document, 0);
   Image sheet(layout.width, layout.legend_top() + legend_height + kMargin - 12);
   fill(sheet, colour(kSheet));

@@ -123,8 +123,38 @@ constexpr std::array<Glyph, 95> kAscii = {{
     {8, "M0 5.2Q1 7.4 2.6 7.2Q3.6 7 4.6 6Q5.6 5 6.4 5Q7.4 5 8 7"},
 }};
 
+// Accents about x = 0, for letters 10 high.
+constexpr const char* kGrave = "M-1.8 14.4L.6 12.2";
+constexpr const char* kAcute = "M1.8 14.4L-.6 12.2";
+constexpr const char* kCircumflex = "M-2.4 12.2L0 14.4L2.4 12.2";
+constexpr const char* kTilde = "M-2.8 12.4Q-1.6 14.6 0 13.4Q1.6 12.2 2.8 14.2";
+constexpr const char* kDiaeresis = "M-2.1 13.3L-2.1 13.6M2.1 13.3L2.1 13.6";
+constexpr const char* kRing = "M0 15H-1.7 13.4V0 11.8H1.7 13.4V0 15";
+constexpr const char* kCedilla = "M0 0L0 -1.4H1.5 -2.8V-.8 -4.2";
+
+// A letter of Latin-1 as a letter of ASCII and its accent, null where it has none.
+struct Accented {
+  char letter = 0;
+  const char* accent = nullptr;
+};
+Accented accented(unsigned code) {
+  if (code < 0xC0 || code > 0xFF) return {};
+  constexpr const char* kLetters =
+      "AAAAAA\0CEEEEIIII\0NOOOOO\0\0UUUUY\0\0aaaaaa\0ceeeeiiii\0nooooo\0\0uuuuy\0y";
+  constexpr const char* kAccents[32] = {
+      kGrave,  kAcute, kCircumflex, kTilde,      kDiaeresis,  kRing,  nullptr,     kCedilla,
+      kGrave,  kAcute, kCircumflex, kDiaeresis,  kGrave,      kAcute, kCircumflex, kDiaeresis,
+      nullptr, kTilde, kGrave,      kAcute,      kCircumflex, kTilde, kDiaeresis,  nullptr,
+      nullptr, kGrave, kAcute,      kCircumflex, kDiaeresis,  kAcute, nullptr,     kDiaeresis};
+  return {kLetters[code - 0xC0], kAccents[code % 32]};
+}
+
 Glyph glyph(unsigned code) {
   if (code >= 32 && code < 127) return kAscii[code - 32];
+  if (const Accented a = accented(code); a.letter) {
+    if (a.letter == 'i') return {.2, "M.1 10L.1 0"};  // its dot gives way to the accent
+    return kAscii[a.letter - 32];
+  }
   switch (code) {
     case 0xB7:
       return {.4, "M.2 5.2L.2 5.5"};  // middle dot
@@ -216,11 +246,20 @@ double draw_text(Image& image, const Vec2& baseline, std::string_view text,
   const double pen = lettering.size * (lettering.bold ? 0.135 : 0.095);
   double x = baseline.x();
   for (std::size_t at = 0; at < text.size();) {
-    const Glyph g = glyph(next_code(text, at));
-    for_strokes(g.path, [&](std::vector<Vec2>& points) {
-      for (Vec2& p : points) p = Vec2(x + p.x() * unit, baseline.y() - p.y() * unit);
-      draw_line(image, points, false, pen, colour);
-    });
+    const unsigned code = next_code(text, at);
+    const Glyph g = glyph(code);
+    const auto draw = [&](const char* path, double right, double up) {
+      for_strokes(path, [&](std::vector<Vec2>& points) {
+        for (Vec2& p : points)
+          p = Vec2(x + (p.x() + right) * unit, baseline.y() - (p.y() + up) * unit);
+        draw_line(image, points, false, pen, colour);
+      });
+    };
+    draw(g.path, 0, 0);
+    if (const Accented a = accented(code); a.letter && a.accent) {
+      const bool low = a.accent == kCedilla, small = a.letter >= 'a';
+      draw(a.accent, g.width / 2, small || low ? 0 : kCapital - 10);
+    }
     x += (g.width + kGap) * unit;
   }
   return x - kGap * unit;

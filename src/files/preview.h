@@ -25,10 +25,12 @@ Image render_model(const Model& model, const RenderOptions& options);
 // `count` such pictures round the vertical axis, side by side, from options.yaw on in equal turns.
 Image render_turntable(const Model& model, const RenderOptions& options, int count);
 
-// A contact sheet: per frame the sketch with its contours and skeleton, and the posed result over
-// it (before and after calibration where that moved anything); then the rest pose from four sides.
-inline constexpr int kSheetWidth = 1800;
+// A contact sheet, at most `width` pixels wide (400 or more): per frame the sketch with its
+// contours and skeleton (before and after calibration where that moved anything), and the posed
+// result over it through that frame's own camera; then the rest pose from four sides.
+//   document  with the user's poses; the calibrated ones are in the result
+//   sketches  one per frame; plain paper where one is empty or missing
 Image contact_sheet(const Document& document, const std::vector<Image>& sketches,
-                    const Reconstruction& result);
+                    const Reconstruction& result, int width = 1800);
 
 }  // namespace artisketch

@@ -77,25 +77,32 @@ std::vector<int> Body::near(const Box3& box, double reach) const {
 }
 
 // Strangers that come close share the space between them: each keeps its side of the surface where
-// both are equally deep, less half the gap. Not where the surfaces run side by side (neither could
-// yield without a dent) and not within the joints' spheres, where all belongs together.
+// both are equally deep, less half the gap. Not where the surfaces run side by side: neither could
+// yield without a dent. And a part and its parent's parent (a thigh and the chest) not within the
+// spheres of both joints, where all three belong together.
 double Body::apart(int i, int j, double di, double dj, const Vec3& p) const {
-  const auto inside_sphere = [&](int from, int to) {
-    const int step = tree_.step(from, to);
-    const int lower = tree_.nodes[from].parent == step ? from : step;
-    const int s = sphere_of_[lower];
+  const auto outside_sphere = [&](int part) {
+    const int s = sphere_of_[part];
     return s < 0 ? gap_ : (p - spheres_[s].centre).norm() - spheres_[s].radius;
   };
-  const double in_spheres = std::max(inside_sphere(i, j), inside_sphere(j, i));
-  double active = smoothstep(1 + in_spheres / gap_);
+  double in_spheres = gap_;
+  for (const auto& [low, high] : {std::pair(i, j), std::pair(j, i)})
+    if (const int between = tree_.nodes[low].parent;
+        between >= 0 && tree_.nodes[between].parent == high)
+      in_spheres = std::max(outside_sphere(low), outside_sphere(between));
+  const double active = smoothstep(1 + in_spheres / gap_);
   if (active == 0) return -BlockGrid::kOutside;
+  // The surface of equal depth halves the angle between the two; across it the difference of the
+  // depths grows by twice the sine of that.
   Vec3 ni, nj;
   part_distance(i, p, ni);
   part_distance(j, p, nj);
-  const double scale = ni.norm() * nj.norm();
-  if (scale > 0) active *= smoothstep(-2 * ni.dot(nj) / scale);
-  if (active == 0) return -BlockGrid::kOutside;
-  return (di - dj + gap_) / 2 - (1 - active) * (2 * gap_ + std::abs(di - dj));
+  const double slope = (ni.normalized() - nj.normalized()).norm();
+  constexpr double kSideBySide = 0.5, kApart = 0.9;  // slopes
+  const double yields = active * smoothstep((slope - kSideBySide) / (kApart - kSideBySide));
+  if (yields == 0) return -BlockGrid::kOutside;
+  const double across = (di - dj) / slope;
+  return across + gap_ / 2 - (1 - yields) * (gap_ + std::abs(across));
 }
 
 Body::Reading Body::read(const Vec3& p, std::span<const int> near) const {
@@ -122,7 +129,7 @@ Body::Reading Body::read(const Vec3& p, std::span<const int> near) const {
       const double pushed = apart(c.part, other.part, c.distance, other.distance, p);
       if (pushed > own.distance) {
         own.distance = pushed;
-        own.gradient = (c.gradient - other.gradient) / 2;
+        own.gradient = (c.gradient - other.gradient).normalized();
       }
     }
     if (own.distance < best.distance) best = own;
@@ -132,6 +139,22 @@ Body::Reading Body::read(const Vec3& p, std::span<const int> near) const {
     if (d < best.distance) best = {d, (p - tube.axis.at(tube.axis.nearest(p))).normalized(), -1};
   }
   return best;
+}
+
+bool Body::crowded(const Vec3& p, std::span<const int> near) const {
+  int first = -1, second = -1;
+  for (const int i : near)
+    if (first < 0 || part_distance(i, p) < part_distance(first, p)) first = i;
+  for (const int i : near)
+    if (i != first && tree_.meet(i, first) &&
+        (second < 0 || part_distance(i, p) < part_distance(second, p)))
+      second = i;
+  if (second < 0) return false;
+  const double reach = part_distance(second, p) + gap_;
+  return std::any_of(near.begin(), near.end(), [&](int i) {
+    return i != first && i != second && !(tree_.meet(i, first) && tree_.meet(i, second)) &&
+           part_distance(i, p) < reach;
+  });
 }
 
 // The 8³ samples from `first` on.

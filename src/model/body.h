@@ -45,6 +45,9 @@ class Body {
   };
   Reading read(const Vec3& p, std::span<const int> near) const;
 
+  // Whether a third part, a stranger to one of the two that meet at p, is about as near as they.
+  bool crowded(const Vec3& p, std::span<const int> near) const;
+
   // The body on the blocks of a lattice that come within `reach` of a part's grid.
   struct Sampled {
     BlockGrid grid;

@@ -1,6 +1,7 @@
-// What the calibration methods share.
+// What the calibration methods share: how far poses may move, and how well they agree.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "model/stages.h"
@@ -14,5 +15,31 @@ struct PoseLimits {
   std::vector<char> free;      // per joint: its rotation may change
 };
 PoseLimits pose_limits(const Document& document);
+
+// [frame][joint]: the joint has a closed contour in that frame and in another one as well, so that
+// the two can be compared.
+std::vector<std::vector<char>> shared_contours(const Document& document);
+
+// Middle of the bones from a joint to its children, in the joint's axes; the joint itself for a
+// leaf.
+Vec3 middle_of_bones(const Skeleton& skeleton, int joint);
+
+// How well each drawn part agrees with its other drawings at given poses.
+struct Coverage {
+  int joint = 0, frame = 0;
+  // Share of the contours' pixels whose ray meets the part's visual hull: comes within kTouch of
+  // every other silhouette at one depth. 1 where no other frame shows the part.
+  double share = 1;
+  double miss = 0;  // pixels, root mean square by which rays miss the hull
+};
+inline constexpr double kTouch = 1;  // pixels: half a line's width for each of two drawings
+
+class RayResiduals;
+
+// At the given poses and scales (one per frame): an entry per part and frame with a closed contour,
+// by joint, then frame. rays: of the document.
+std::vector<Coverage> coverage(const Document& document, const RayResiduals& rays,
+                               std::span<const Pose> poses, std::span<const double> scales);
+double mean_share(std::span<const Coverage> all);  // 1 where there are none
 
 }  // namespace artisketch

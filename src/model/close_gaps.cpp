@@ -58,20 +58,33 @@ int pieces(Around set, const Around (&near)[27], Around touching) {
   return count;
 }
 
-// Whether the centre can leave the solid without changing its topology (a simple point: Bertrand
-// and Malandain 1994, 6-connected inside, 26-connected outside) nor its being well-composed.
-bool removable(Around inside) {
-  if (pieces(inside & kNear.ring18, kNear.near6, kNear.ring6) != 1) return false;
-  if (pieces(~inside & kNear.ring26, kNear.near26, kNear.ring26) != 1) return false;
-  const Around without = inside & ~(Around(1) << kCentre);
+bool stays_well_composed(Around inside) {
   for (int c = 0; c < 8; ++c) {
     const int low = (c & 1) + 3 * (c >> 1 & 1) + 9 * (c >> 2);
     unsigned corners = 0;
     for (int v = 0; v < 8; ++v)
-      corners |= (without >> (low + (v & 1) + 3 * (v >> 1 & 1) + 9 * (v >> 2)) & 1) << v;
+      corners |= (inside >> (low + (v & 1) + 3 * (v >> 1 & 1) + 9 * (v >> 2)) & 1) << v;
     if (is_critical(corners)) return false;
   }
   return true;
+}
+
+// Whether the centre can join the solid without joining two places of it: it may end a tunnel,
+// never begin one.
+bool addable(Around inside) {
+  return pieces(inside & kNear.ring18, kNear.near6, kNear.ring6) == 1 &&
+         stays_well_composed(inside | Around(1) << kCentre);
+}
+
+// Whether the centre can leave the solid without changing its topology (a simple point: Bertrand
+// and Malandain 1994, 6-connected inside, 26-connected outside). It may let the air into a bubble.
+bool removable(Around inside, Around bubble) {
+  if (pieces(inside & kNear.ring18, kNear.near6, kNear.ring6) != 1) return false;
+  const Around outside = ~inside & kNear.ring26;
+  const int open = pieces(outside & ~bubble, kNear.near26, kNear.ring26);
+  const int closed = pieces(outside & bubble, kNear.near26, kNear.ring26);
+  if (open > 1 || closed > 1 || open + closed == 0) return false;
+  return stays_well_composed(inside & ~(Around(1) << kCentre));
 }
 
 Around around(const BlockGrid& grid, const Index3& s) {
@@ -81,80 +94,190 @@ Around around(const BlockGrid& grid, const Index3& s) {
   return set;
 }
 
-struct Filled {
+// Marks as open every outside sample that hangs together with those in `front`.
+void flood(const BlockGrid& grid, std::vector<std::ptrdiff_t>& front, std::vector<char>& open) {
+  constexpr int n = BlockGrid::kSide;
+  constexpr int kStep[3] = {1, n, n * n};
+  while (!front.empty()) {
+    const std::ptrdiff_t s = front.back();
+    front.pop_back();
+    const int in_block = int(s % BlockGrid::kSize);
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int way : {-1, 1}) {
+        const int along = in_block / kStep[axis] % n + way;
+        std::ptrdiff_t next = s + way * kStep[axis];
+        if (along < 0 || along >= n) {
+          Index3 p = grid.sample_of(s);
+          p[axis] += way;
+          next = grid.find(p.x(), p.y(), p.z());
+        }
+        if (next < 0 || open[next] || grid.values[next] < 0) continue;
+        open[next] = 1;
+        front.push_back(next);
+      }
+  }
+}
+
+// The outside samples that hang together with the border of what is stored.
+std::vector<char> open_samples(const BlockGrid& grid) {
+  std::vector<char> open(grid.values.size(), 0);
+  std::vector<std::ptrdiff_t> front;
+  for (std::size_t b = 0; b < grid.at.size(); ++b) {
+    const Index3 at = grid.at[b];
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int way : {-1, 1}) {
+        Index3 beside = at;
+        beside[axis] += way;
+        if (grid.has_block(beside.x(), beside.y(), beside.z()) &&
+            grid.slot[grid.block_index(beside.x(), beside.y(), beside.z())] >= 0)
+          continue;
+        // The middle of the face is outside: parts keep a margin from the blocks' border.
+        Index3 middle = grid.first_sample(int(b)) + Index3::Constant(BlockGrid::kSide / 2);
+        middle[axis] += way < 0 ? -BlockGrid::kSide / 2 : BlockGrid::kSide / 2 - 1;
+        const std::ptrdiff_t s = grid.find(middle.x(), middle.y(), middle.z());
+        if (grid.values[s] < 0 || open[s]) continue;
+        open[s] = 1;
+        front.push_back(s);
+      }
+  }
+  flood(grid, front, open);
+  return open;
+}
+
+struct Fill {
   std::ptrdiff_t index;
-  float was;          // its value
+  float was;  // its value
+  float seam;
   float way = 1e30f;  // to the nearest open sample, in cells, along the lattice
-  bool keep = false;  // wherever a ball doesn't reach
+  bool in = false;    // filled
+  bool keep = false;  // filled for good
 };
 
-}  // namespace
+using Queue = std::priority_queue<std::pair<float, int>, std::vector<std::pair<float, int>>,
+                                  std::greater<std::pair<float, int>>>;  // rank, index of a Fill
 
-void close_gaps(BlockGrid& grid, std::span<const float> seam, double reach,
-                std::span<const JointSphere> spheres) {
-  std::vector<Filled> filled;
-  std::vector<int> filled_at(grid.values.size(), -1);
-  const auto fill = [&](std::ptrdiff_t s, float was) {
-    filled_at[s] = int(filled.size());
-    filled.push_back({s, was});
-    grid.values[s] = float(-1e-3 * grid.cell);
-  };
-  for (std::ptrdiff_t s = 0; s < std::ptrdiff_t(grid.values.size()); ++s)
-    if (seam[s] <= reach && grid.values[s] >= 0) fill(s, grid.values[s]);
-  for (const Turned& t : make_well_composed(grid)) fill(t.sample, t.was);
+// The places that may be filled.
+struct Fills {
+  BlockGrid& grid;
+  std::vector<Fill> all;
+  std::vector<int> at;  // per sample of the grid: its place in `all`, −1
 
-  // The way to the open, from outside in.
-  using Item = std::pair<float, int>;  // way, index into filled
-  std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
-  const auto relax = [&](int to, float way) {
-    if (way >= filled[to].way) return;
-    filled[to].way = way;
-    queue.push({way, to});
-  };
-  const auto for_neighbours = [&](int f, auto&& visit) {
-    const Index3 s = grid.sample_of(filled[f].index);
+  std::vector<char> open;  // per sample of the grid: outside, and not in a bubble
+
+  Around around_of(int f) const { return around(grid, grid.sample_of(all[f].index)); }
+  // The samples round a place that are outside in a bubble.
+  Around bubble_of(int f) const {
+    const Index3 s = grid.sample_of(all[f].index);
+    Around set = 0;
+    for (int b = 0; b < 27; ++b) {
+      const std::ptrdiff_t n =
+          grid.find(s.x() + b % 3 - 1, s.y() + b / 3 % 3 - 1, s.z() + b / 9 - 1);
+      set |= Around(n >= 0 && grid.values[n] >= 0 && !open[n]) << b;
+    }
+    return set;
+  }
+  // What becomes air where the place is opened: itself, and a bubble beside it.
+  void let_air_in(int f) {
+    std::vector<std::ptrdiff_t> front{all[f].index};
+    open[all[f].index] = 1;
+    flood(grid, front, open);
+  }
+  void set(int f, bool in) {
+    all[f].in = in;
+    grid.values[all[f].index] = in ? float(-1e-3 * grid.cell) : all[f].was;
+  }
+  // visit(index into all or −1, whether inside, length of the step in cells)
+  template <class Visit>
+  void neighbours(int f, const Visit& visit) const {
+    const Index3 s = grid.sample_of(all[f].index);
     for (int b = 0; b < 27; ++b) {
       if (b == kCentre) continue;
       const Index3 d(b % 3 - 1, b / 3 % 3 - 1, b / 9 - 1);
-      const Index3 p = s + d;
-      visit(grid.find(p.x(), p.y(), p.z()), std::sqrt(float(d.squaredNorm())));
+      const std::ptrdiff_t n = grid.find(s.x() + d.x(), s.y() + d.y(), s.z() + d.z());
+      visit(n < 0 ? -1 : at[n], n >= 0 && grid.values[n] < 0, std::sqrt(float(d.squaredNorm())));
     }
-  };
-  for (int f = 0; f < int(filled.size()); ++f)
-    for_neighbours(f, [&](std::ptrdiff_t s, float step) {
-      if (s < 0 || grid.values[s] >= 0) relax(f, step);
+  }
+};
+
+// From the parts outward, everything that joins nothing.
+void grow(Fills& fills) {
+  Queue queue;
+  for (int f = 0; f < int(fills.all.size()); ++f) queue.push({fills.all[f].seam, f});
+  while (!queue.empty()) {
+    const int f = queue.top().second;
+    queue.pop();
+    if (fills.all[f].in || !addable(fills.around_of(f))) continue;
+    fills.set(f, true);
+    fills.neighbours(f, [&](int g, bool, float) {
+      if (g >= 0 && !fills.all[g].in) queue.push({fills.all[g].seam, g});
     });
+  }
+}
+
+void measure_ways(Fills& fills) {
+  Queue queue;
+  const auto relax = [&](int f, float way) {
+    if (way >= fills.all[f].way) return;
+    fills.all[f].way = way;
+    queue.push({way, f});
+  };
+  for (int f = 0; f < int(fills.all.size()); ++f)
+    if (fills.all[f].in)
+      fills.neighbours(f, [&](int, bool inside, float step) {
+        if (!inside) relax(f, step);
+      });
   while (!queue.empty()) {
     const auto [way, f] = queue.top();
     queue.pop();
-    if (way > filled[f].way) continue;
-    for_neighbours(f, [&](std::ptrdiff_t s, float step) {
-      if (s >= 0 && filled_at[s] >= 0) relax(filled_at[s], filled[f].way + step);
+    if (way > fills.all[f].way) continue;
+    fills.neighbours(f, [&, from = way](int g, bool, float step) {
+      if (g >= 0 && fills.all[g].in) relax(g, from + step);
     });
   }
-  for (Filled& f : filled) {
-    if (f.way * grid.cell <= reach) continue;
+}
+
+// Opens again what the topology doesn't need, from outside in.
+void thin(Fills& fills) {
+  Queue queue;
+  const auto push = [&](int f) {
+    if (fills.all[f].in && !fills.all[f].keep) queue.push({fills.all[f].way, f});
+  };
+  for (int f = 0; f < int(fills.all.size()); ++f) push(f);
+  while (!queue.empty()) {
+    const int f = queue.top().second;
+    queue.pop();
+    if (!fills.all[f].in || !removable(fills.around_of(f), fills.bubble_of(f))) continue;
+    fills.set(f, false);
+    fills.let_air_in(f);
+    fills.neighbours(f, [&](int g, bool, float) {
+      if (g >= 0) push(g);
+    });
+  }
+}
+
+}  // namespace
+
+void close_gaps(Body::Sampled& sampled, const Body& body, double reach,
+                std::span<const JointSphere> spheres) {
+  BlockGrid& grid = sampled.grid;
+  Fills fills{grid, {}, std::vector<int>(grid.values.size(), -1), {}};
+  for (std::ptrdiff_t s = 0; s < std::ptrdiff_t(grid.values.size()); ++s) {
+    if (sampled.seam[s] > reach || grid.values[s] < 0) continue;
+    fills.at[s] = int(fills.all.size());
+    fills.all.push_back({s, grid.values[s], sampled.seam[s]});
+  }
+  grow(fills);
+  fills.open = open_samples(grid);
+  measure_ways(fills);
+  for (Fill& f : fills.all) {
+    if (!f.in || f.way * grid.cell <= reach) continue;
     const Index3 s = grid.sample_of(f.index);
     const Vec3 p = grid.position(s.x(), s.y(), s.z());
     for (const JointSphere& sphere : spheres)
       f.keep |= (p - sphere.centre).squaredNorm() < sphere.radius * sphere.radius;
+    f.keep = f.keep && !body.crowded(p, sampled.near[f.index / BlockGrid::kSize]);
   }
-
-  // Open again what the topology doesn't need, from outside in.
-  for (int f = 0; f < int(filled.size()); ++f)
-    if (!filled[f].keep) queue.push({filled[f].way, f});
-  while (!queue.empty()) {
-    const int f = queue.top().second;
-    queue.pop();
-    if (filled_at[filled[f].index] < 0) continue;
-    if (!removable(around(grid, grid.sample_of(filled[f].index)))) continue;
-    grid.values[filled[f].index] = filled[f].was;
-    filled_at[filled[f].index] = -1;
-    for_neighbours(f, [&](std::ptrdiff_t s, float) {
-      if (s >= 0 && filled_at[s] >= 0 && !filled[filled_at[s]].keep)
-        queue.push({filled[filled_at[s]].way, filled_at[s]});
-    });
-  }
+  thin(fills);
 }
 
 }  // namespace artisketch

@@ -5,11 +5,11 @@
 
 namespace artisketch {
 
-// Closes the solid where parts meet, as far as both are at most `reach` (units) away: gaps too
-// narrow for a ball of that radius are filled inside the spheres; outside them only so much is that
-// no handle or break narrower than that is left (a skin one sample thick). The result is
-// well-composed. Filled samples get values just below 0.
-void close_gaps(BlockGrid& grid, std::span<const float> seam, double reach,
+// Closes the solid where two parts that meet are both at most `reach` (units) away. Inside the
+// spheres it fills gaps too narrow for a ball of that radius; elsewhere only so much that no tunnel
+// through such a place is left (a skin one sample thick). It never joins what wasn't joined.
+// sampled.grid: well-composed, and stays so. Filled samples get values just below 0.
+void close_gaps(Body::Sampled& sampled, const Body& body, double reach,
                 std::span<const JointSphere> spheres);
 
 }  // namespace artisketch

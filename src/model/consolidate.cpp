@@ -9,6 +9,7 @@
 #include "base/well_composed.h"
 #include "model/close_gaps.h"
 #include "model/fair.h"
+#include "model/ties.h"
 
 namespace artisketch {
 namespace {
@@ -43,17 +44,8 @@ struct Pieces {
 Pieces pieces(const QuadMesh& mesh) {
   Pieces p;
   int count = 0;
-  Mesh triangles{mesh.V, Triangles(mesh.Q.rows(), 3)};
-  triangles.F = mesh.Q.leftCols(3);
-  // Every vertex of a quad hangs on its first three through other quads: three corners suffice
-  // only where each vertex is one of them somewhere, so join the fourth here.
-  Triangles F(2 * mesh.Q.rows(), 3);
-  for (Eigen::Index q = 0; q < mesh.Q.rows(); ++q) {
-    F.row(2 * q) << mesh.Q(q, 0), mesh.Q(q, 1), mesh.Q(q, 2);
-    F.row(2 * q + 1) << mesh.Q(q, 0), mesh.Q(q, 2), mesh.Q(q, 3);
-  }
-  triangles.F = F;
-  p.of = vertex_components(triangles, &count);
+  const Triangles F = split_quads(mesh.V, mesh.Q);
+  p.of = vertex_components({mesh.V, F}, &count);
   p.volume.assign(count, 0);
   p.vertices.assign(count, 0);
   p.quads.assign(count, 0);
@@ -85,6 +77,87 @@ QuadMesh only(const QuadMesh& mesh, const Pieces& p, int piece) {
   return kept;
 }
 
+struct Surface {
+  QuadMesh mesh;
+  Pieces found;
+  int genus() const { return found.genus(found.largest); }
+};
+
+Surface surface_of(const BlockGrid& grid) {
+  Surface s;
+  s.mesh = dual_surface(grid);
+  s.found = pieces(s.mesh);
+  return s;
+}
+
+// Holes that the parts have of their own.
+int own_genus(std::span<const PartSurface> parts) {
+  int genus = 0;
+  for (const PartSurface& part : parts)
+    if (part.mesh.F.rows() > 0) genus += std::max(0, topology(part.mesh).genus());
+  return genus;
+}
+
+// The body with its gaps closed, and its handles: ever wider ones until none is left that no part
+// has of its own.
+constexpr double kGap = 3, kWidestHandle = 12;  // cells
+Surface closed_surface(const Body& body, Body::Sampled& sampled,
+                       std::span<const JointSphere> spheres, std::span<const PartSurface> parts) {
+  const double cell = sampled.grid.cell;
+  make_well_composed(sampled.grid);
+  close_gaps(sampled, body, kGap * cell, spheres);
+  Surface best = surface_of(sampled.grid);
+  if (best.genus() <= 0) return best;
+  const int wanted = own_genus(parts);
+  for (double reach = 2 * kGap; reach <= kWidestHandle && best.genus() > wanted; reach *= 2) {
+    close_gaps(sampled, body, reach * cell, {});
+    best = surface_of(sampled.grid);
+  }
+  return best;
+}
+
+// Which piece each part lies on for the most part: −1 where it shows nowhere.
+std::vector<int> pieces_of_parts(const Body& body, const PartTree& tree, const Surface& s) {
+  std::vector<std::vector<int>> count(body.size(), std::vector<int>(s.found.volume.size(), 0));
+  for (int v = 0; v < int(s.mesh.V.rows()); ++v) {
+    if (s.found.volume[s.found.of[v]] <= 0) continue;
+    int nearest = -1;
+    double least = BlockGrid::kOutside;
+    for (int i = 0; i < body.size(); ++i) {
+      if (!tree.nodes[i].solid) continue;
+      const double d = body.part_distance(i, s.mesh.V.row(v).transpose());
+      if (d < least) least = d, nearest = i;
+    }
+    ++count[nearest][s.found.of[v]];
+  }
+  std::vector<int> piece_of(body.size(), -1);
+  for (int i = 0; i < body.size(); ++i) {
+    const auto most = std::max_element(count[i].begin(), count[i].end());
+    if (*most > 0) piece_of[i] = int(most - count[i].begin());
+  }
+  return piece_of;
+}
+
+// Parts far from each other in the skeleton whose surfaces run into each other all the same.
+void name_the_fused(const Document& document, std::span<const PartSurface> parts,
+                    const PartTree& tree, const QuadMesh& mesh, const Settled& settled,
+                    std::vector<std::string>& warnings) {
+  std::vector<std::pair<int, int>> fused;
+  for (Eigen::Index q = 0; q < mesh.Q.rows(); ++q)
+    for (int c = 0; c < 4; ++c) {
+      const int i = settled.owner[mesh.Q(q, c)], j = settled.owner[mesh.Q(q, (c + 1) % 4)];
+      if (i < 0 || j <= i || tree.meet(i, j) || tree.meet(tree.step(i, j), j)) continue;
+      if (std::find(fused.begin(), fused.end(), std::pair(i, j)) == fused.end())
+        fused.emplace_back(i, j);
+    }
+  std::sort(fused.begin(), fused.end());
+  for (const auto& [i, j] : fused)
+    warnings.push_back("'" + document.skeleton.joints[parts[i].joint].name + "' and '" +
+                       document.skeleton.joints[parts[j].joint].name +
+                       "' touch in the rest pose and are fused there. Move them apart in the rest "
+                       "pose, or draw them thinner where they touch");
+}
+
 }  // namespace
 
 Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> parts,
@@ -93,27 +166,33 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
   const PartTree tree = part_tree(document, parts);
   if (std::none_of(tree.nodes.begin(), tree.nodes.end(), [](const auto& n) { return n.solid; }))
     return bad_input("no part has a body: draw a closed contour for at least one joint");
-  const std::vector<JointSphere> spheres = joint_spheres(document, parts, tree);
+  std::vector<JointSphere> spheres;
+  if (options.blend) spheres = joint_spheres(document, parts, tree);
   const double cell = cell_size(tree);
-  const double reach = 3 * cell;
   Body body(parts, tree, spheres, 2 * cell);
-  Result<Body::Sampled> sampled = body.sample(cell, reach + cell, run);
-  if (!sampled) return sampled.error();
-  run.report(0.3);
-  if (options.blend)
-    close_gaps(sampled->grid, sampled->seam, reach, spheres);
-  else
-    make_well_composed(sampled->grid);
-  QuadMesh mesh = dual_surface(sampled->grid);
-  const Pieces found = pieces(mesh);
-  mesh = only(mesh, found, found.largest);
+  Result<Body::Sampled> sampled = Error{};
+  Surface surface;
+  for (const bool tied : {false, true}) {
+    sampled = body.sample(cell, (kWidestHandle + 1) * cell, run);
+    if (!sampled) return sampled.error();
+    run.report(tied ? 0.4 : 0.3);
+    surface = closed_surface(body, *sampled, spheres, parts);
+    const auto solid = [](double volume) { return volume > 0; };
+    const std::vector<double>& volume = surface.found.volume;
+    if (tied || std::count_if(volume.begin(), volume.end(), solid) < 2) break;
+    body.tubes =
+        ties(document, parts, tree, spheres, pieces_of_parts(body, tree, surface), cell, warnings);
+    if (body.tubes.empty()) break;
+  }
   run.report(0.5);
+  QuadMesh mesh = only(surface.mesh, surface.found, surface.found.largest);
+  if (mesh.V.rows() == 0) return bad_input("the parts are too thin to make a surface of");
   const Settled settled = settle(body, *sampled, mesh);
   if (run.cancelled()) return cancelled();
+  name_the_fused(document, parts, tree, mesh, settled, warnings);
   run.report(0.7);
-  if (options.blend) fair(body, *sampled, spheres, tree, settled, mesh);
+  fair(body, *sampled, spheres, settled, mesh);
   run.report(1);
-  (void)warnings;
   return Mesh{mesh.V, split_quads(mesh.V, mesh.Q)};
 }
 

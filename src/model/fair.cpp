@@ -8,30 +8,32 @@
 namespace artisketch {
 namespace {
 
-// Share of a sphere's radius over which a crease is blended.
+// A crease is blended over at most this share of the sphere's radius …
 constexpr double kReach = 0.5;
+// … and so far that rounding it moves the surface by at most this many cells: a fillet of radius ρ
+// over a bend of β radians stands ρ (1 / cos(β/2) − 1) ≈ ρ β² / 8 off its edge.
+constexpr double kMostMoved = 0.75;
 
-// How much of a crease there is at a vertex, 0 … 1 times the width to blend over, in units: 0 away
-// from every sphere and every other part.
+// Over how many units to blend at a vertex: 0 away from every sphere and every crease.
 double blend_width(const Body& body, std::span<const int> near,
                    std::span<const JointSphere> spheres, const Vec3& p, const Vec3& normal,
-                   int owner) {
+                   int owner, double cell) {
   double widest = 0;
   for (const JointSphere& sphere : spheres) {
     const double depth = 1 - (p - sphere.centre).norm() / sphere.radius;
     if (depth <= 0) continue;
-    const double reach = kReach * sphere.radius;
-    double crease = 0;
     for (const int part : near) {
       if (part == owner) continue;
       Vec3 gradient;
-      const double d = body.part_distance(part, p, gradient);
-      if (std::abs(d) >= reach) continue;
-      const double bend = std::sqrt(std::max(0.0, 1 - normal.dot(gradient.normalized())));
-      crease = std::max(crease, std::min(1.0, 1.5 * bend) * (1 - std::abs(d) / reach));
+      const double d = std::abs(body.part_distance(part, p, gradient));
+      if (d >= kReach * sphere.radius) continue;
+      const double bend = std::acos(std::clamp(normal.dot(gradient.normalized()), -1.0, 1.0));
+      const double reach =
+          std::min(kReach * sphere.radius, 8 * kMostMoved * cell / std::max(bend * bend, 1e-6));
+      // Fades out away from the crease and towards the sphere's border.
+      widest = std::max(widest, reach * std::clamp(1 - d / reach, 0.0, 1.0) *
+                                    std::min({1.0, 4 * depth, 4 * bend}));
     }
-    // Fades out towards the sphere's border.
-    widest = std::max(widest, reach * crease * std::min(1.0, 4 * depth));
   }
   return widest;
 }
@@ -39,8 +41,7 @@ double blend_width(const Body& body, std::span<const int> near,
 }  // namespace
 
 void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointSphere> spheres,
-          const PartTree& tree, const Settled& settled, QuadMesh& mesh) {
-  (void)tree;
+          const Settled& settled, QuadMesh& mesh) {
   const int n = int(mesh.V.rows());
   const BlockGrid& grid = sampled.grid;
   const double side = grid.cell * BlockGrid::kSide;
@@ -61,7 +62,7 @@ void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointS
     const int stored = grid.slot[grid.block_index(b.x(), b.y(), b.z())];
     if (stored < 0) continue;
     width[v] = blend_width(body, sampled.near[stored], spheres, p,
-                           settled.normals.row(v).transpose(), settled.owner[v]) /
+                           settled.normals.row(v).transpose(), settled.owner[v], grid.cell) /
                grid.cell;
   }
   std::vector<int> unknown(n, -1), moving;

@@ -10,6 +10,6 @@ namespace artisketch {
 // others stay. Where two parts run into each other smoothly there is no crease and nothing moves:
 // we differ from the paper, which frees everything inside the sphere, and loses silhouette there.
 void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointSphere> spheres,
-          const PartTree& tree, const Settled& settled, QuadMesh& mesh);
+          const Settled& settled, QuadMesh& mesh);
 
 }  // namespace artisketch

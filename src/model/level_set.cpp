@@ -145,13 +145,14 @@ class Forces {
       const Vec2 pixel = v.view->camera.project(X);
       const double scale = v.view->camera.pixels_per_unit(X.z());
       if (!v.outline.empty())
-        belief += v.weight * log_belief(v.outline.distance(pixel) / (scale * hull_.cell));
+        belief += v.weight *
+                  log_belief(v.outline.distance(pixel) / (scale * hull_.cell) - options_.grown);
       const VectorFlow::Value at_pixel = v.flow.at(pixel);
       edges += v.weight * at_pixel.edge;
       const Vec3 in_world = v.view->camera.jacobian(X).transpose() * (at_pixel.flow / scale);
       flow += v.weight * (v.view->to_world.linear().transpose() * in_world);
     }
-    if (views_disagree_) belief = log_belief(hull_.values[index] / hull_.cell);
+    if (views_disagree_) belief = log_belief(hull_.values[index] / hull_.cell - options_.grown);
     return {float(std::exp(belief)), float(1 / (1 + edges)), flow.cast<float>()};
   }
 
@@ -187,11 +188,12 @@ class Forces {
 Result<Grid3<float>> level_set(const Part& part, const Grid3<float>& hull,
                                const LevelSetOptions& options, Run& run) {
   Grid3<float> phi = hull;
-  for (float& v : phi.values) v /= float(hull.cell);
+  for (float& v : phi.values) v = v / float(hull.cell) - float(options.grown);
   NarrowBand band(std::move(phi), std::max(options.band, 2.0));
   Forces forces(part, hull, options);
   forces.trust_hull_if_views_disagree(band);
-  const auto least = [&](int index) { return hull.values[index] / float(hull.cell) - kBeyondHull; };
+  const float most_grown = float(options.grown) + kBeyondHull;
+  const auto least = [&](int index) { return hull.values[index] / float(hull.cell) - most_grown; };
   const double dt = forces.time_step();
   std::vector<float> way;
   for (int i = 0; i < options.iterations && !band.front().empty(); ++i) {

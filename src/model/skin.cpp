@@ -15,7 +15,9 @@
 namespace artisketch {
 namespace {
 
-constexpr double kHeat = 1;  // c in H = c / r²; weights change over about r / √c
+// c in H = c / r²: nine tenths of the change from one bone to the next take place over about one
+// radius. Pinocchio has 1: three radii, over which posed limbs lose their silhouettes.
+constexpr double kHeat = 9;
 // Parts whose surfaces lie no further apart than this share of the limb's radius are both there.
 constexpr double kTogether = 0.25;
 constexpr double kLeastWeight = 1e-3;  // less is left out
@@ -51,6 +53,7 @@ Listening listening(const Body& body, const PartTree& tree, const Vec3& p, const
   result.radius = limb_radius(body, nearest, tree.nodes[nearest].thickness, p, -normal);
   double to_bone = BlockGrid::kOutside;
   for (int i = 0; i < body.size(); ++i) {
+    if (i != nearest && !tree.meet(i, nearest)) continue;
     if (distance[i] > std::max(least, 0.0) + kTogether * result.radius) continue;
     double d = BlockGrid::kOutside;
     for (const Segment& axis : tree.nodes[i].axes) d = std::min(d, axis.distance(p));

@@ -25,7 +25,7 @@ enum class Method {
   paper,  // every step as the paper describes it
   rays,   // the same inputs and outputs by rays and interpolants (DESIGN of each stage in its file)
 };
-inline constexpr Method kDefaultMethod = Method::paper;
+inline constexpr Method kDefaultMethod = Method::rays;
 
 // ---------------------------------------------------------------- calibration (section 2)
 
@@ -133,6 +133,7 @@ struct LevelSetOptions {
   double region = 1;  // weight of the Chan–Vese term
   double edge = 1;    // weight of the geodesic active contour
   double band = 3;    // half-width of the narrow band, cells
+  double grown = 0;   // cells given to the hull and the contours, so that a thin part stays whole
 };
 // Section 3 and appendix: evolves the hull's zero set under the region and edge terms of all views.
 Result<Grid3<float>> level_set(const Part& part, const Grid3<float>& hull,
@@ -181,6 +182,10 @@ std::vector<JointSphere> joint_spheres(const Document& document,
 Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> parts,
                          const ConsolidateOptions& options, std::vector<std::string>& warnings,
                          Run& run);
+
+// The same closed surface with about `triangles` triangles, denser where it bends, nowhere farther
+// off than about `error` units; more triangles where that would not do. Same genus and components.
+Mesh simplified(const Mesh& mesh, int triangles, double error);
 
 // At most four influences a vertex, largest first; unused ones are joint 0 with weight 0.
 struct Weights {
@@ -231,7 +236,7 @@ struct PipelineOptions {
   int grid = 100;
   bool calibrate = true;
   bool visual_hull = false;  // plain hulls of the parts, united without blending
-  int triangles = 0;
+  int triangles = 15000;     // of the model, about
 };
 
 struct StageTime {

@@ -1,4 +1,5 @@
 // A part's surface by its contour rays: the default method. Steps in rays_field.
+#include "base/mesh_distance.h"
 #include "model/rays_field.h"
 
 namespace artisketch {
@@ -21,6 +22,7 @@ Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options
   Result<Mesh> mesh = isosurface(out.distance);
   if (!mesh) return mesh.error();
   out.mesh = std::move(*mesh);
+  mesh_distance(out.mesh, 4, out.distance);
   return out;
 }
 

@@ -68,7 +68,7 @@ TEST_F(CommandLine, EveryFaultOfADocumentIsNamedAndNothingIsWritten) {
     std::string text, says;
   } cases[] = {
       {document("1", R"("torso")"), "/skeleton/joints/1/parent"},
-      {document("1", R"("body")", "[[10,10],[NaN,10],[50,90]]"), "line 1"},
+      {document("1", R"("body")", "[[10,10],[NaN,10],[50,90]]"), "is NaN"},
       {document("1", R"("body")", "[[10,10],[null,10],[50,90]]"), "/frames/0/contours/0/points/1"},
       {document("1", R"("body")", "[[10,10],[90,10]]"), "/frames/0/contours/0/points"},
       {document("1", R"("body")", "[[10,10],[90,90],[90,10],[10,90]]"),

@@ -1,5 +1,6 @@
 #include "figures/examples.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace artisketch::figures {
@@ -171,16 +172,26 @@ Example robot_at_work() {
   return finished(std::move(figure), std::move(s));
 }
 
+using Maker = Example (*)();
+constexpr std::pair<std::string_view, Maker> kMakers[] = {{"circles", circles},
+                                                          {"heart", heart_too_low},
+                                                          {"hero", hero_abroad},
+                                                          {"fox", fox_about},
+                                                          {"robot", robot_at_work}};
+
 }  // namespace
 
-std::vector<Example> examples() {
-  std::vector<Example> all;
-  all.push_back(circles());
-  all.push_back(heart_too_low());
-  all.push_back(hero_abroad());
-  all.push_back(fox_about());
-  all.push_back(robot_at_work());
-  return all;
+std::vector<std::string> example_names() {
+  std::vector<std::string> names;
+  for (const auto& maker : kMakers) names.emplace_back(maker.first);
+  return names;
+}
+
+Example example(std::string_view name) {
+  for (const auto& maker : kMakers)
+    if (maker.first == name) return maker.second();
+  assert(false);
+  return {};
 }
 
 }  // namespace artisketch::figures

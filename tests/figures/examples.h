@@ -13,7 +13,7 @@ struct Example {
   InkStyle ink;
 };
 
-// circles, heart, hero, fox, robot.
-std::vector<Example> examples();
+std::vector<std::string> example_names();
+Example example(std::string_view name);  // one of example_names()
 
 }  // namespace artisketch::figures

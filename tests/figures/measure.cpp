@@ -52,11 +52,6 @@ Vec3 bone_direction(const Figure& figure, int joint, const std::vector<Vec3>& re
   return d.norm() > 1e-6 ? Vec3(d.normalized()) : Vec3(Vec3::UnitY());
 }
 
-double angle_in_plane(const Vec3& a, const Vec3& b) {
-  const double cross = a.x() * b.y() - a.y() * b.x();
-  return std::abs(std::atan2(cross, a.head<2>().dot(b.head<2>())));
-}
-
 }  // namespace
 
 double volume_iou(const Figure& figure, const Mesh& rest, int cells) {
@@ -131,9 +126,13 @@ PoseErrors pose_errors(const Figure& figure, const FrameCamera& camera, const Po
     const Vec3 there = a[j].linear() * bone, here = b[j].linear() * bone;
     const Quat between(Mat3(b[j].linear() * a[j].linear().transpose()));
     errors.angle += degrees(Quat::Identity().angularDistance(between));
-    errors.in_plane += degrees(angle_in_plane(there, here));
-    errors.out_of_plane += degrees(std::abs(std::asin(std::clamp(there.z(), -1.0, 1.0)) -
-                                            std::asin(std::clamp(here.z(), -1.0, 1.0))));
+    // How far the bone's end moved, along the image and toward the camera.
+    const Vec3 aside = Vec3::UnitZ().cross(there).stableNormalized(), forth = there.cross(aside);
+    const auto angle = [&](const Vec3& way) {
+      return degrees(std::asin(std::min(1.0, std::abs((here - there).dot(way)))));
+    };
+    errors.in_plane += angle(aside);
+    errors.out_of_plane += angle(forth);
     // The rotation is a swing after a turn about the bone.
     errors.twist +=
         degrees(2 * std::abs(std::atan2(between.vec().dot(there), std::abs(between.w()))));

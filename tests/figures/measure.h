@@ -22,8 +22,8 @@ Mask silhouette(const Model& model, const Pose& pose, const FrameCamera& camera,
 // How far a pose is from the true one, over the joints that carry parts.
 struct PoseErrors {
   double joint_px = 0, worst_joint_px = 0;  // of projected joints
-  // Mean degrees between the parts' rotations in the world, and what they are made of: the turn of
-  // the bone as seen in the image, toward or away from the camera, and about the bone itself.
+  // Mean degrees between the parts' rotations in the world, and what they are made of: how far the
+  // bone swings along the image, toward or away from the camera, and turns about itself.
   double angle = 0, in_plane = 0, out_of_plane = 0, twist = 0;
 };
 PoseErrors pose_errors(const Figure& figure, const FrameCamera& camera, const Pose& truth,

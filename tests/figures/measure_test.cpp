@@ -63,6 +63,13 @@ TEST_F(Errors, ATurnTowardTheCameraIsOutOfPlane) {
   EXPECT_NEAR(e.in_plane, 0, 1);
 }
 
+TEST_F(Errors, ABoneThatPointsAtTheCameraHardlyMovesWhenItTurnsInTheImage) {
+  const View there = view(arm, "", about_y(-80));
+  const View here = view(arm, "", about_z(12) * about_y(-80));
+  EXPECT_NEAR(pose_errors(arm, seen, there.pose, here.pose).in_plane, 12 * std::cos(radians(80)),
+              0.5);
+}
+
 TEST_F(Errors, ATurnAboutTheBoneIsTwist) {
   const PoseErrors e = of(about_x(12));
   EXPECT_NEAR(e.twist, 8, 0.5);

@@ -46,12 +46,6 @@ double smooth_minimum(double a, double b, double k) {
   return std::min(a, b) - (overlap > 0 ? overlap * overlap / (4 * k) : 0);
 }
 
-double blended(const std::vector<const Blob*>& blobs, double k, const Vec3& p) {
-  double d = kInfinity;
-  for (const Blob* blob : blobs) d = smooth_minimum(d, distance(*blob, p), k);
-  return d;
-}
-
 Box3 bounds(const Blob& blob) {
   if (blob.kind == Blob::Kind::limb) {
     Box3 box(Vec3(blob.a - Vec3::Constant(blob.radius_a)),
@@ -62,19 +56,6 @@ Box3 bounds(const Blob& blob) {
   }
   const Vec3 half = blob.turn.toRotationMatrix().cwiseAbs() * blob.radii;
   return {Vec3(blob.a - half), Vec3(blob.a + half)};
-}
-
-Ball bounding_ball(const Blob& blob) {
-  switch (blob.kind) {
-    case Blob::Kind::limb:
-      return {(blob.a + blob.b) / 2,
-              (blob.b - blob.a).norm() / 2 + std::max(blob.radius_a, blob.radius_b)};
-    case Blob::Kind::ellipsoid:
-      return {blob.a, blob.radii.maxCoeff()};
-    case Blob::Kind::box:
-      return {blob.a, blob.radii.norm()};
-  }
-  return {};
 }
 
 }  // namespace
@@ -118,6 +99,12 @@ double distance(const Blob& blob, const Vec3& p) {
       return box_distance(blob, p);
   }
   return kInfinity;
+}
+
+double blended(const std::vector<const Blob*>& blobs, double k, const Vec3& p) {
+  double d = kInfinity;
+  for (const Blob* blob : blobs) d = smooth_minimum(d, distance(*blob, p), k);
+  return d;
 }
 
 double distance(const Solid& solid, const Vec3& p) {
@@ -165,6 +152,19 @@ Box3 bounds(const Solid& solid) {
   // Blending swells the union by at most a quarter of the blend per blob that takes part.
   const Vec3 swell = Vec3::Constant(solid.blobs.size() > 1 ? solid.blend / 2 : 0);
   return {Vec3(box.min() - swell), Vec3(box.max() + swell)};
+}
+
+Ball bounding_ball(const Blob& blob) {
+  switch (blob.kind) {
+    case Blob::Kind::limb:
+      return {(blob.a + blob.b) / 2,
+              (blob.b - blob.a).norm() / 2 + std::max(blob.radius_a, blob.radius_b)};
+    case Blob::Kind::ellipsoid:
+      return {blob.a, blob.radii.maxCoeff()};
+    case Blob::Kind::box:
+      return {blob.a, blob.radii.norm()};
+  }
+  return {};
 }
 
 Ball bounding_ball(const Solid& solid) {

@@ -51,6 +51,7 @@ struct Solid {
 // Negative inside, with the right sign everywhere and of first order near the surface. +infinity
 // for an empty solid.
 double distance(const Solid& solid, const Vec3& p);
+double blended(const std::vector<const Blob*>& blobs, double blend, const Vec3& p);
 Vec3 normal(const Solid& solid, const Vec3& p);  // unit length, outward
 
 // The blob or paint that colours the surface at p: its index among the paints counted from
@@ -58,11 +59,12 @@ Vec3 normal(const Solid& solid, const Vec3& p);  // unit length, outward
 int colour_index(const Solid& solid, const Vec3& p);
 unsigned colour_at(const Solid& solid, int index);
 
-// A sphere that holds the solid.
+// A sphere that holds a blob, or a solid.
 struct Ball {
   Vec3 centre = Vec3::Zero();
   double radius = 0;
 };
+Ball bounding_ball(const Blob& blob);
 Ball bounding_ball(const Solid& solid);
 Box3 bounds(const Solid& solid);
 

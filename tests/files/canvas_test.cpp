@@ -102,6 +102,19 @@ TEST(Canvas, EverySignOfAsciiHasALetterOfItsOwn) {
   }
 }
 
+TEST(Canvas, AccentsRideOnTheirLetters) {
+  const auto drawn = [](const std::string& text) {
+    Image image(40, 40);
+    draw_text(image, {12, 26}, text, {24, false}, kBlack);
+    return image;
+  };
+  const Image u = drawn("u"), umlaut = drawn("\xC3\xBC"), other = drawn("\xE8\x8A\xB1");
+  EXPECT_GT(ink(umlaut), ink(u));
+  EXPECT_EQ(text_width("u", {}), text_width("\xC3\xBC", {}));
+  for (int x = 0; x < 40; ++x) EXPECT_EQ(u.at(x, 22)[0], umlaut.at(x, 22)[0]);
+  EXPECT_EQ(other.rgba, drawn("\xE2\x98\x83").rgba);  // boxes for what it cannot write
+}
+
 TEST(Canvas, TextEndsWhereItsWidthSays) {
   const Lettering body{13, false};
   Image image(400, 40);

@@ -1,1 +1,335 @@
+#include <cmath>
+#include <random>
+
 #include <gtest/gtest.h>
+
+#include "figures.h"
+#include "figures/measure.h"
+#include "model/calibrate.h"
+#include "model/landmark_residuals.h"
+
+namespace artisketch {
+namespace {
+
+using namespace figures;
+
+constexpr int kWidth = 360, kHeight = 400;
+
+Sketches sketched(const Figure& figure, int frames, Camera::Type type, double degrees_off,
+                  double wobble = 0, int seed = 1) {
+  const Camera camera = fitting_camera(figure, type, kWidth, kHeight);
+  return draw(figure, random_views(figure, frames, seed), camera, kWidth, kHeight,
+              {.contour_wobble_px = wobble,
+               .pose_error_degrees = degrees_off,
+               .root_error = degrees_off / 400},
+              seed);
+}
+
+Calibration calibrated(const Document& document) {
+  artisketch::Run run;
+  Result<Calibration> found = calibrate(document, {Method::rays}, run);
+  EXPECT_TRUE(found);
+  return std::move(found).value();
+}
+
+double joint_px(const Figure& figure, const Document& truth, const std::vector<Pose>& poses) {
+  double sum = 0;
+  for (std::size_t f = 1; f < poses.size(); ++f)
+    sum +=
+        pose_errors(figure, frame_camera(truth, int(f)), truth.frames[f].pose, poses[f]).joint_px;
+  return sum / double(poses.size() - 1);
+}
+
+std::vector<Pose> poses_of(const Document& document) {
+  std::vector<Pose> poses;
+  for (const Frame& frame : document.frames) poses.push_back(frame.pose);
+  return poses;
+}
+
+double share(const std::vector<PartCoverage>& all, double PartCoverage::*when) {
+  double sum = 0;
+  for (const PartCoverage& one : all) sum += one.*when;
+  return sum / double(all.size());
+}
+
+bool mentions(const std::vector<std::string>& lines, const std::string& words) {
+  for (const std::string& line : lines)
+    if (line.find(words) != std::string::npos) return true;
+  return false;
+}
+
+bool same(const Pose& a, const Pose& b) {
+  bool all = a.root_position == b.root_position;
+  for (std::size_t j = 0; j < a.rotations.size(); ++j)
+    all = all && a.rotations[j].coeffs() == b.rotations[j].coeffs();
+  return all;
+}
+
+// ---------------------------------------------------------------- derivatives
+
+Placement user_placement(const Document& document) {
+  return placed(document, poses_of(document), std::vector<double>(document.frames.size(), 1.0));
+}
+
+// The placement with one joint moved in one frame, and nothing that hangs on it.
+Placement moved(Placement placement, int frame, int joint, const Motion& m) {
+  const Vec3 turn = m.head<3>();
+  Transform t = Transform::Identity();
+  if (!turn.isZero(0)) t.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).matrix();
+  t.translation() = m.segment<3>(3);
+  placement.posed[frame][joint] = t * placement.posed[frame][joint];
+  placement.cameras[frame].scale *= std::exp(m[6]);
+  return placement;
+}
+
+class Derivatives : public testing::TestWithParam<Camera::Type> {};
+
+TEST_P(Derivatives, OfRaysAreThoseOfTheirEnergy) {
+  const Document given = sketched(human(2), 3, GetParam(), 8).given;
+  const RayResiduals rays(given, 4, 24);
+  const Placement placement = user_placement(given);
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  for (const RayResiduals::Loss loss : {RayResiduals::Loss{0, 0}, {4, 0}, {12, 1}}) {
+    std::vector<std::pair<int, MotionSystem>> systems;
+    rays.evaluate(placement, loss, &systems);
+    for (const auto& [joint, system] : systems) {
+      for (int f = 0; f < 3; ++f) {
+        Motion m;
+        for (int i = 0; i < kMotion; ++i) m[i] = normal(random);
+        if (GetParam() == Camera::Type::perspective) m[6] = 0;
+        const double h = 1e-5;
+        const double numeric = (rays.evaluate(moved(placement, f, joint, h * m), loss, nullptr) -
+                                rays.evaluate(moved(placement, f, joint, -h * m), loss, nullptr)) /
+                               (4 * h);
+        const double analytic = system.g.segment<kMotion>(kMotion * f).dot(m);
+        // Distances are bilinear between samples: where a step crosses to the next, slopes jump.
+        EXPECT_NEAR(analytic, numeric, 0.02 * system.g.norm() * m.norm() + 1e-3)
+            << given.skeleton.joints[joint].name << " frame " << f << " reach " << loss.reach;
+      }
+    }
+  }
+}
+
+TEST_P(Derivatives, OfLandmarksAreThoseOfTheirEnergy) {
+  const Document given = sketched(human(2), 3, GetParam(), 8).given;
+  const RayResiduals rays(given, 4, 24);
+  const Placement placement = user_placement(given);
+  std::vector<std::pair<int, MotionSystem>> systems;
+  const LandmarkLoss loss{100, 50};
+  landmark_energy(rays, given.skeleton, placement, loss, &systems);
+  for (const auto& [joint, system] : systems)
+    for (int i = 0; i < 3 * kMotion; ++i) {
+      if (i % kMotion == 6 && GetParam() == Camera::Type::perspective) continue;
+      Motion m = Motion::Zero();
+      m[i % kMotion] = 1e-5;
+      const auto at = [&](double sign) {
+        return landmark_energy(rays, given.skeleton, moved(placement, i / kMotion, joint, sign * m),
+                               loss, nullptr);
+      };
+      EXPECT_NEAR(system.g[i], (at(1) - at(-1)) / 4e-5, 1e-3 * system.g.norm() + 1e-4);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cameras, Derivatives,
+                         testing::Values(Camera::Type::orthographic, Camera::Type::perspective));
+
+// ---------------------------------------------------------------- what is found
+
+// Front and side of a figure of one joint, drawn where `shift` puts it in the second sketch, and
+// posed at the origin.
+Document shifted(const Figure& figure, Camera::Type type, const Vec3& shift) {
+  const std::vector<View> views = {view(figure, "front", Quat::Identity()),
+                                   view(figure, "side", about_y(80), {}, shift)};
+  Document d =
+      draw(figure, views, fitting_camera(figure, type, kWidth, kHeight), kWidth, kHeight).given;
+  d.frames[1].pose.root_position.setZero();
+  d.calibration.max_translation = 2;
+  return d;
+}
+
+TEST(CalibrateRays, FindsAVerticalOffset) {  // the paper's Fig. 3
+  const Document d = shifted(heart(), Camera::Type::orthographic, {0, -0.25, 0});
+  const Calibration found = calibrated(d);
+  EXPECT_NEAR(found.poses[1].root_position.y(), -0.25, 0.005);
+  EXPECT_LT(share(found.coverage, &PartCoverage::before), 0.8);
+  EXPECT_GT(share(found.coverage, &PartCoverage::after), 0.99);
+}
+
+TEST(CalibrateRays, DolliesBack) {  // the paper's Fig. 4
+  const Document d = shifted(ball_figure(), Camera::Type::perspective, {0, 0, -0.4});
+  const Calibration found = calibrated(d);
+  EXPECT_NEAR(found.poses[1].root_position.z(), -0.4, 0.03);
+  EXPECT_GT(share(found.coverage, &PartCoverage::after), 0.99);
+}
+
+TEST(CalibrateRays, FindsTheScaleOfAFrameWhereAskedTo) {
+  Document d = shifted(heart(), Camera::Type::orthographic, Vec3::Zero());
+  d.frames[1].scale = 1.12;
+  EXPECT_EQ(calibrated(d).scales, (std::vector<double>{1, 1.12}));
+  d.calibration.scale = true;
+  EXPECT_NEAR(calibrated(d).scales[1], 1, 0.01);
+}
+
+TEST(CalibrateRays, PosesThatAreRightStay) {
+  for (const Figure& figure : {human(3), quadruped(1)})
+    for (const auto type : {Camera::Type::orthographic, Camera::Type::perspective}) {
+      const Sketches s = sketched(figure, 3, type, 0);
+      const Calibration found = calibrated(s.truth);
+      EXPECT_LT(joint_px(figure, s.truth, found.poses), 0.3) << figure.name;
+      EXPECT_GE(share(found.coverage, &PartCoverage::after), 0.995) << figure.name;
+    }
+}
+
+TEST(CalibrateRays, BringsPosesNearer) {
+  struct {
+    int frames;
+    double off, wobble, left;
+  } cases[] = {{3, 8, 0, 0.35}, {4, 15, 0, 0.35}, {3, 12, 1, 0.5}, {3, 30, 0, 0.6}};
+  for (const auto& c : cases) {
+    const Figure figure = human(5);
+    const Sketches s = sketched(figure, c.frames, Camera::Type::perspective, c.off, c.wobble, 4);
+    const Calibration found = calibrated(s.given);
+    const double before = joint_px(figure, s.truth, poses_of(s.given));
+    EXPECT_LT(joint_px(figure, s.truth, found.poses), c.left * before)
+        << c.off << "° off, wobble " << c.wobble;
+    EXPECT_GT(share(found.coverage, &PartCoverage::after),
+              share(found.coverage, &PartCoverage::before));
+  }
+}
+
+TEST(CalibrateRays, GivesTheSameBitsAgain) {
+  const Document d = sketched(human(1), 2, Camera::Type::orthographic, 10, 1).given;
+  const Calibration a = calibrated(d), b = calibrated(d);
+  for (int f = 0; f < 2; ++f) EXPECT_TRUE(same(a.poses[f], b.poses[f]));
+  EXPECT_EQ(a.energy_after, b.energy_after);
+  EXPECT_EQ(a.undetermined, b.undetermined);
+}
+
+// ---------------------------------------------------------------- what stays
+
+TEST(CalibrateRays, LimitsHoldExactly) {
+  Document d = sketched(human(1), 3, Camera::Type::orthographic, 15).given;
+  d.calibration.max_rotation = radians(3);
+  d.calibration.max_translation = 0.01;
+  d.calibration.locked = {0, 4};
+  const Calibration found = calibrated(d);
+  for (int f = 0; f < 3; ++f) {
+    const Pose &user = d.frames[f].pose, &pose = found.poses[f];
+    EXPECT_LE((pose.root_position - user.root_position).norm(), 0.01);
+    for (int j = 0; j < d.skeleton.size(); ++j) {
+      EXPECT_LE(pose.rotations[j].angularDistance(user.rotations[j]), radians(3));
+      EXPECT_NEAR(pose.rotations[j].norm(), 1, 1e-12);
+    }
+    EXPECT_EQ(pose.rotations[0].coeffs(), user.rotations[0].coeffs());
+    EXPECT_EQ(pose.rotations[4].coeffs(), user.rotations[4].coeffs());
+  }
+  EXPECT_NEAR(found.largest_rotation, radians(3), 1e-6);
+  EXPECT_TRUE(mentions(found.warnings, "max_rotation"));
+}
+
+TEST(CalibrateRays, TheFirstFrameStaysUnlessFree) {
+  Sketches s = sketched(human(1), 3, Camera::Type::orthographic, 8);
+  // The first frame off, the others true.
+  Document d = s.truth;
+  d.frames[0].pose.root_position += Vec3(0, 0.05, 0);
+  EXPECT_TRUE(same(calibrated(d).poses[0], d.frames[0].pose));
+  d.calibration.free_first_frame = true;
+  const Calibration found = calibrated(d);
+  EXPECT_LT(found.poses[0].root_position.y(), d.frames[0].pose.root_position.y() - 0.02);
+}
+
+TEST(CalibrateRays, OneFrameHasNothingToCalibrate) {
+  const Document d = sketched(human(1), 1, Camera::Type::orthographic, 0).given;
+  const Calibration found = calibrated(d);
+  EXPECT_TRUE(same(found.poses[0], d.frames[0].pose));
+  EXPECT_TRUE(mentions(found.warnings, "one frame"));
+  EXPECT_EQ(share(found.coverage, &PartCoverage::after), 1);
+}
+
+TEST(CalibrateRays, AFrameWithFewContoursKeepsItsPose) {
+  Document d = sketched(human(1), 3, Camera::Type::orthographic, 8).given;
+  d.frames[1].contours.resize(2);
+  Calibration found = calibrated(d);
+  EXPECT_TRUE(same(found.poses[1], d.frames[1].pose));
+  EXPECT_FALSE(same(found.poses[2], d.frames[2].pose));
+  EXPECT_TRUE(mentions(found.warnings, "frame 2"));
+  d.frames[1].contours.clear();
+  d.frames[2].contours.clear();
+  found = calibrated(d);
+  EXPECT_TRUE(same(found.poses[2], d.frames[2].pose));
+  EXPECT_TRUE(mentions(found.warnings, "nothing to calibrate"));
+}
+
+TEST(CalibrateRays, AJointWithoutContoursTurnsOnlyWhereItsChildrenNeedIt) {
+  const Figure figure = capsule_arm();
+  const std::vector<View> views = {view(figure, "front", Quat::Identity()),
+                                   view(figure, "below", about_x(70)),
+                                   view(figure, "aslant", Quat(about_y(25) * about_x(-40)))};
+  Document d =
+      draw(figure, views, fitting_camera(figure, Camera::Type::orthographic, kWidth, kHeight),
+           kWidth, kHeight)
+          .given;
+  const int middle = 1;  // the forearm
+  for (Frame& frame : d.frames)
+    std::erase_if(frame.contours, [&](const Contour& c) { return c.joint == middle; });
+  const Document truth = d;
+  Pose& pose = d.frames[1].pose;
+  pose.rotations[2] = about_z(8);  // the hand: it can be put right alone
+  EXPECT_EQ(calibrated(d).poses[1].rotations[middle].coeffs(),
+            truth.frames[1].pose.rotations[middle].coeffs());
+  pose = truth.frames[1].pose;
+  pose.rotations[middle] = about_z(-15);  // it took the hand away
+  const Calibration found = calibrated(d);
+  const auto hand = [&](const Pose& p) { return posed_joints(d.skeleton, p)[2].translation(); };
+  EXPECT_LT((hand(found.poses[1]) - hand(truth.frames[1].pose)).norm(),
+            0.4 * (hand(pose) - hand(truth.frames[1].pose)).norm());
+}
+
+// ---------------------------------------------------------------- drawings that disagree
+
+TEST(CalibrateRays, NeverAgreesLessThanTheUsersPoses) {
+  for (int seed = 0; seed < 4; ++seed) {
+    Document d = sketched(human(seed), 3, Camera::Type::orthographic, 6, 2, seed).given;
+    // Contours of two joints swapped in one frame, another one drawn far off.
+    std::swap(d.frames[1].contours[1].joint, d.frames[1].contours[5].joint);
+    for (Vec2& p : d.frames[2].contours[3].line.points) p += Vec2(60, -45);
+    const Calibration found = calibrated(d);
+    EXPECT_GE(share(found.coverage, &PartCoverage::after),
+              share(found.coverage, &PartCoverage::before));
+  }
+}
+
+TEST(CalibrateRays, OneWrongContourLeavesTheOthersRight) {
+  const Figure figure = human(2);
+  const Sketches s = sketched(figure, 3, Camera::Type::orthographic, 8);
+  Document d = s.given;
+  const int wrong = d.frames[2].contours[4].joint;
+  Polyline& line = d.frames[2].contours[4].line;
+  const Vec2 middle = centroid({&line, 1});
+  for (Vec2& p : line.points) p = middle + 1.9 * (p - middle);
+  const Calibration found = calibrated(d);
+  EXPECT_LT(joint_px(figure, s.truth, found.poses),
+            0.5 * joint_px(figure, s.truth, poses_of(s.given)));
+  EXPECT_TRUE(mentions(found.warnings, "'" + d.skeleton.joints[wrong].name + "' cannot agree"));
+}
+
+TEST(CalibrateRays, NamesAnglesThatSilhouettesLeaveOpen) {
+  const Calibration found =
+      calibrated(sketched(capsule_arm(), 3, Camera::Type::orthographic, 5).given);
+  EXPECT_TRUE(mentions(found.undetermined, "twist of 'upper arm' about its bone, frames 2, 3") ||
+              mentions(found.undetermined, "twist"));
+}
+
+TEST(CalibrateRays, StopsWhenAsked) {
+  const std::atomic<bool> stop = true;
+  artisketch::Run run;
+  run.cancel = &stop;
+  const auto found =
+      calibrate(sketched(human(1), 2, Camera::Type::orthographic, 8).given, {Method::rays}, run);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().kind, Error::Kind::cancelled);
+}
+
+}  // namespace
+}  // namespace artisketch

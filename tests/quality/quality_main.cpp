@@ -2,8 +2,9 @@
 // of drawings, cameras, errors of the poses and wobble of the hand.
 #include <chrono>
 #include <cstdio>
-#include <cstring>
+#include <cstdlib>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "figures/measure.h"
@@ -16,12 +17,17 @@ namespace {
 constexpr int kWidth = 512, kHeight = 512;  // pixels
 constexpr int kNovelPoses = 6;
 constexpr const char* kUsage =
-    "usage: artisketch_quality [--brief] [--figures N] [--method paper|rays] [--grid N]\n"
-    "                          [--no-calibrate] [--visual-hull]\n";
+    "usage: artisketch_quality [--brief] [--figures N] [--frames N] [--error DEGREES]\n"
+    "                          [--wobble PIXELS] [--method paper|rays] [--grid N]\n"
+    "                          [--no-calibrate] [--visual-hull]\n"
+    "Every combination of the settings not named; --brief: one case per figure.\n";
 
 struct Options {
   bool brief = false;
   int figures = 6;
+  std::vector<int> frames = {2, 3, 4};
+  std::vector<double> errors = {0, 8, 15};       // degrees
+  std::vector<double> wobbles = {0, 0.75, 1.5};  // pixels
   PipelineOptions pipeline;
 };
 
@@ -51,7 +57,6 @@ Figure figure_of(int seed) {
   }
 }
 
-// `to` of the values, each weighed alike.
 template <class Get>
 double mean(const std::vector<Row>& rows, const Get& get) {
   double sum = 0;
@@ -91,9 +96,9 @@ std::optional<Row> measure(const Case& c, const Options& options) {
     const Pose& found = made->calibrated.frames[f].pose;
     const FrameCamera seen = frame_camera(sketches.truth, f);
     if (f > 0) {  // the first is given
-      add(row.before, pose_errors(figure, seen, truth, sketches.given.frames[f].pose),
-          1.0 / (c.frames - 1));
-      add(row.after, pose_errors(figure, seen, truth, found), 1.0 / (c.frames - 1));
+      const double share = 1.0 / (c.frames - 1);
+      add(row.before, pose_errors(figure, seen, truth, sketches.given.frames[f].pose), share);
+      add(row.after, pose_errors(figure, seen, truth, found), share);
     }
     row.drawn += intersection_over_union(silhouette(figure, truth, seen, kWidth, kHeight),
                                          silhouette(made->model, found, seen, kWidth, kHeight)) /
@@ -118,7 +123,7 @@ std::optional<Row> measure(const Case& c, const Options& options) {
 
 void print_head() {
   std::printf("%-30s | %11s | %11s | %17s | %13s | %5s %5s %5s | %6s\n", "", "joints, px",
-              "rotation, °", "in / out / twist", "coverage", "drawn", "novel", "vol.", "s");
+              "rot., deg", "in / out / twist", "coverage", "drawn", "novel", "vol.", "s");
 }
 
 void print(const std::string& name, const std::vector<Row>& rows) {
@@ -139,21 +144,20 @@ void print(const std::string& name, const std::vector<Row>& rows) {
   std::fflush(stdout);
 }
 
-std::vector<Case> cases(const Options& options) {
+std::vector<Case> cases(Options options) {
+  // In brief each figure gets the middle of every setting, and one camera.
+  if (options.brief)
+    for (auto* range : {&options.errors, &options.wobbles}) *range = {(*range)[range->size() / 2]};
+  if (options.brief) options.frames = {options.frames[options.frames.size() / 2]};
   std::vector<Case> all;
-  const auto both = {Camera::Type::orthographic, Camera::Type::perspective};
-  for (int seed = 0; seed < options.figures; ++seed) {
-    if (options.brief) {
-      all.push_back(
-          {seed, 3, seed % 2 ? Camera::Type::perspective : Camera::Type::orthographic, 8, 0.75});
-      continue;
-    }
-    for (const int frames : {2, 3, 4})
-      for (const auto camera : both)
-        for (const double error : {0.0, 8.0, 15.0})
-          for (const double wobble : {0.0, 0.75, 1.5})
+  for (int seed = 0; seed < options.figures; ++seed)
+    for (const auto camera : {Camera::Type::orthographic, Camera::Type::perspective}) {
+      if (options.brief && (camera == Camera::Type::perspective) != (seed % 4 > 1)) continue;
+      for (const int frames : options.frames)
+        for (const double error : options.errors)
+          for (const double wobble : options.wobbles)
             all.push_back({seed, frames, camera, error, wobble});
-  }
+    }
   return all;
 }
 
@@ -165,6 +169,12 @@ bool read_options(int count, char** words, Options& options) {
       options.brief = true;
     } else if (word == "--figures") {
       options.figures = std::atoi(value().c_str());
+    } else if (word == "--frames") {
+      options.frames = {std::max(1, std::atoi(value().c_str()))};
+    } else if (word == "--error") {
+      options.errors = {std::atof(value().c_str())};
+    } else if (word == "--wobble") {
+      options.wobbles = {std::atof(value().c_str())};
     } else if (word == "--grid") {
       options.pipeline.grid = std::atoi(value().c_str());
     } else if (word == "--no-calibrate") {
@@ -193,23 +203,27 @@ int main(int count, char** words) {
   }
   print_head();
   std::map<std::string, std::vector<Row>> groups;  // by one setting, over all others
+  std::vector<Row> all;
   for (const Case& c : cases(options)) {
     const std::optional<Row> row = measure(c, options);
     if (!row) continue;
+    all.push_back(*row);
     const bool perspective = c.camera == Camera::Type::perspective;
     char name[80], error[40], wobble[40];
-    std::snprintf(name, sizeof name, "%-10s %2d %df %s %2g° %.2gpx", figure_of(c.seed).name.c_str(),
-                  c.seed, c.frames, perspective ? "persp" : "ortho", c.pose_error, c.wobble);
+    std::snprintf(name, sizeof name, "%-10s %2d %df %s %2gdeg %.2gpx",
+                  figure_of(c.seed).name.c_str(), c.seed, c.frames, perspective ? "persp" : "ortho",
+                  c.pose_error, c.wobble);
     print(name, {*row});
-    std::snprintf(error, sizeof error, "poses %2g° off", c.pose_error);
+    std::snprintf(error, sizeof error, "poses %2g deg off", c.pose_error);
     std::snprintf(wobble, sizeof wobble, "wobble %.2f px", c.wobble);
     for (const std::string& group : {std::to_string(c.frames) + " frames",
                                      std::string(perspective ? "perspective" : "orthographic"),
-                                     std::string(error), std::string(wobble), std::string("~ all")})
+                                     std::string(error), std::string(wobble)})
       groups[group].push_back(*row);
   }
   std::printf("\n");
   print_head();
   for (const auto& group : groups) print(group.first, group.second);
+  print("all", all);
   return 0;
 }

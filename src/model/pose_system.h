@@ -1,0 +1,104 @@
+// The unknowns of calibration: small motions of every joint in every frame, and what they do to the
+// parts.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "document/document.h"
+
+namespace artisketch {
+
+// How far one frame's pose stands from the user's.
+struct FrameChange {
+  std::vector<Vec3> rotation;  // per joint: the user's rotation, then this rotation vector
+  Vec3 translation = Vec3::Zero();
+  double log_scale = 0;
+};
+using PoseChange = std::vector<FrameChange>;  // one per frame
+
+PoseChange no_change(const Document& document);
+Pose changed(const Pose& pose, const FrameChange& change);  // unturned joints keep their bits
+
+// A motion of a part in one frame, in world axes at the world's origin: x' = x + ω × x + u, and the
+// frame's scale grows by the factor 1 + s. Order: ω, u, s.
+inline constexpr int kMotion = 7;
+using Motion = Eigen::Matrix<double, kMotion, 1>;
+
+// Least squares in the motions of one part: energy ≈ e + 2 gᵀm + mᵀHm, with kMotion entries of m
+// per frame.
+struct MotionSystem {
+  Eigen::MatrixXd H;
+  Eigen::VectorXd g;
+  explicit MotionSystem(int frames = 0)
+      : H(Eigen::MatrixXd::Zero(kMotion * frames, kMotion * frames)),
+        g(Eigen::VectorXd::Zero(kMotion * frames)) {}
+};
+
+// How far users' poses are off, as standard deviations per axis: the prior that pulls to them.
+struct PosePrior {
+  double rotation = radians(5);  // radians, of each joint in its parent's axes
+  double translation = 1;        // units, of the root
+  double log_scale = 0.1;
+};
+
+// Which unknowns there are.
+struct PoseFreedom {
+  double max_rotation = 0;               // radians
+  double max_translation = 0;            // units
+  std::vector<char> frame;               // the frame's root may move
+  std::vector<std::vector<char>> joint;  // [frame][joint]: the joint may turn
+  bool scale = false;                    // frames that move find their scale, too
+};
+
+// Collects the parts' systems down the skeleton into one in the pose's unknowns (as the composite
+// bodies of Featherstone 2008, section 6.2, are), and solves it by a block Cholesky factorisation
+// from the leaves to the root. That fills in nothing: joints are coupled with their ancestors
+// alone.
+class PoseSystem {
+ public:
+  PoseSystem(const Document& document, PoseFreedom freedom);
+
+  // parts: joints and their systems at the change given.
+  void assemble(const PoseChange& change, std::span<const std::pair<int, MotionSystem>> parts);
+
+  // A step of Levenberg and Marquardt with the prior, damped by `damping` times the diagonal, and
+  // cut to the limits exactly. Pulls against a limit that is reached are left out of the system.
+  PoseChange stepped(const PoseChange& change, const PosePrior& prior, double damping) const;
+
+  // The energy that pose errors of one standard deviation would make, by the system assembled.
+  double expected_energy(const PosePrior& prior) const;
+
+  // 3×3 of joint's rotation in a frame, in its rotation vector's axes, without the prior.
+  Mat3 rotation_block(int joint, int frame) const;
+
+  const PoseFreedom& freedom() const { return freedom_; }
+
+ private:
+  // A joint that may turn in some frame, or the root.
+  struct Node {
+    int joint = 0;
+    int width = 3;                        // unknowns per frame: a rotation; a motion of the root
+    std::vector<int> chain;               // nodes from this one up to the root
+    std::vector<Eigen::MatrixXd> blocks;  // of the system, with each node of the chain
+    Eigen::VectorXd gradient;
+  };
+  // Per frame: the motion of all that hangs on a node for each of its unknowns, 7 × width.
+  using Directions = Eigen::Matrix<double, kMotion, Eigen::Dynamic, 0, kMotion, kMotion>;
+  std::vector<Directions> directions(const Node& node, const PoseChange& change,
+                                     const std::vector<std::vector<Transform>>& posed) const;
+  void hold_at_limits(const Node& node, const PoseChange& change, const Eigen::VectorXd& pull,
+                      Eigen::MatrixXd& diagonal) const;
+
+  const Document& document_;
+  PoseFreedom freedom_;
+  int frames_ = 0;
+  std::vector<Node> nodes_;   // parents before children
+  std::vector<int> node_of_;  // per joint; −1: it never turns
+};
+
+double prior_energy(const PoseChange& change, const PosePrior& prior);
+
+}  // namespace artisketch

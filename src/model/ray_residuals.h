@@ -1,0 +1,78 @@
+// How well the silhouettes of rigid parts agree at given poses, and what moving the parts does to
+// that: how far the rays of every contour miss the part's visual hull.
+//
+// For a contour point of a part in frame A, let y(t) run along its ray in part space. The residuals
+// are max(0, sd_v(π_v(y(t*)))) over all other frames v, where sd_v is the signed distance to the
+// part's contour there and t* the depth at which their squares add up to least. All views of a ray
+// together say far more than pairs of views do, which only meet in epipolar tangents.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "model/calibrate.h"
+#include "model/pose_system.h"
+
+namespace artisketch {
+
+// Where every joint stands in every frame, and how each frame's camera sees it.
+struct Placement {
+  std::vector<std::vector<Transform>> posed;  // [frame][joint]: joint's axes → world
+  std::vector<FrameCamera> cameras;           // [frame]
+};
+Placement placed(const Document& document, std::span<const Pose> poses,
+                 std::span<const double> scales);
+
+class RayResiduals {
+ public:
+  struct View {
+    int frame = 0;
+    SampledDistance outline;
+    std::vector<Vec2> points;  // where rays start, pixels
+    double weight = 1;         // of each ray: the stretch of contour it stands for
+    Vec2 centroid = Vec2::Zero();
+    double size = 1;  // pixels: root of the outline's area
+  };
+  // A part that at least two frames show by a closed contour.
+  struct Part {
+    int joint = 0;
+    std::vector<View> views;  // of frames that do
+    // A middle of the part, in the joint's axes, and a radius about it (units) that holds the part:
+    // where rays look for it.
+    Vec3 middle = Vec3::Zero();
+    double radius = 1;
+  };
+
+  // step: pixels between rays; most: rays a part and frame.
+  RayResiduals(const Document& document, double step, int most);
+
+  const std::vector<Part>& parts() const { return parts_; }
+  // The drawing's own pixel: what counts as one in a figure drawn some 500 pixels large. Energies
+  // are in its squares, and times the length of contour that they stand for.
+  double unit() const { return unit_; }
+  double contour_length() const;  // in unit()
+
+  struct Loss {
+    double reach = 0;  // c, in unit(); 0: plain squares
+    double inset = 0;  // the silhouettes are shrunk by it, in unit()
+  };
+  // Sum over rays of ρ(e) = c²e / (c² + e) (Geman and McClure 1987), e the sum of a ray's squared
+  // residuals. systems: where not null, receives each part's joint and its linear system in the
+  // part's motions.
+  double evaluate(const Placement& placement, const Loss& loss,
+                  std::vector<std::pair<int, MotionSystem>>* systems) const;
+
+  // Pixels² by which each ray of a part misses the hull, view by view, point by point.
+  std::vector<std::vector<double>> misses(const Part& part, const Placement& placement) const;
+
+ private:
+  template <class Visit>
+  void each_ray(const Part& part, const Placement& placement, double inset,
+                const Visit& visit) const;
+
+  double unit_ = 1;
+  std::vector<Part> parts_;
+};
+
+}  // namespace artisketch

@@ -1,0 +1,34 @@
+#include <gtest/gtest.h>
+
+#include "model/stages.h"
+
+namespace artisketch {
+namespace {
+
+TEST(Simplify, ABallKeepsItsShapeWithATenthOfTheTriangles) {
+  const Mesh ball = icosphere({1, 2, 3}, 1, 6);
+  const Mesh fewer = simplified(ball, int(ball.F.rows()) / 10, 0.01);
+  EXPECT_LE(fewer.F.rows(), ball.F.rows() / 9);
+  EXPECT_TRUE(topology(fewer).manifold());
+  EXPECT_EQ(topology(fewer).genus(), 0);
+  EXPECT_NEAR(signed_volume(fewer), signed_volume(ball), 0.01 * signed_volume(ball));
+}
+
+TEST(Simplify, StopsAtTheErrorAskedFor) {
+  const Mesh ball = icosphere(Vec3::Zero(), 1, 5);
+  const Mesh fewer = simplified(ball, 4, 0.02);
+  EXPECT_GT(fewer.F.rows(), 40);
+  for (int f = 0; f < fewer.F.rows(); ++f) {
+    Vec3 middle = Vec3::Zero();
+    for (int c = 0; c < 3; ++c) middle += fewer.V.row(fewer.F(f, c)).transpose() / 3;
+    EXPECT_GT(middle.norm(), 1 - 3 * 0.02);
+  }
+}
+
+TEST(Simplify, AskingForMoreThanThereAreChangesNothing) {
+  const Mesh ball = icosphere(Vec3::Zero(), 1, 2);
+  EXPECT_EQ(simplified(ball, 1 << 20, 0.1).V, ball.V);
+}
+
+}  // namespace
+}  // namespace artisketch
