@@ -288,6 +288,7 @@ void add_scene(const Model& model, Builder& out) {
 }
 
 void add_clip(const Clip& clip, int joints, Builder& out) {
+  assert(clip.poses.size() == clip.times.size());
   tinygltf::Animation animation;
   animation.name = clip.name;
   const int times =
