@@ -192,8 +192,12 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
   name_the_fused(document, parts, tree, mesh, settled, warnings);
   run.report(0.7);
   fair(body, *sampled, spheres, settled, mesh);
+  Mesh skin{mesh.V, split_quads(mesh.V, mesh.Q)};
+  if (const int left = untangle(skin); left > 0)
+    warnings.push_back("the surface passes through itself in " + std::to_string(left) +
+                       " places where parts crowd together");
   run.report(1);
-  return Mesh{mesh.V, split_quads(mesh.V, mesh.Q)};
+  return skin;
 }
 
 }  // namespace artisketch

@@ -12,4 +12,8 @@ namespace artisketch {
 void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointSphere> spheres,
           const Settled& settled, QuadMesh& mesh);
 
+// Smooths around the places where the surface passes through itself until it no longer does, or
+// for a few rounds. Returns how many pairs of triangles still cross.
+int untangle(Mesh& mesh);
+
 }  // namespace artisketch

@@ -20,6 +20,7 @@ namespace {
 constexpr double kHeat = 9;
 // Parts whose surfaces lie no further apart than this share of the limb's radius are both there.
 constexpr double kTogether = 0.25;
+constexpr double kGrowth = 0.5;        // of a limb's radius, per way along the surface
 constexpr double kLeastWeight = 1e-3;  // less is left out
 
 // The radius of the largest ball inside the part that touches its surface at p, from inside.
@@ -68,6 +69,28 @@ Listening listening(const Body& body, const PartTree& tree, const Vec3& p, const
   return result;
 }
 
+// A limb blends into what it hangs on over its own radius, on either side: no vertex has a larger
+// radius than a thinner place's, and the way there along the edges.
+void limit_growth(const Mesh& mesh, Eigen::VectorXd& radius) {
+  constexpr int kSweeps = 24;
+  bool changed = true;
+  for (int sweep = 0; sweep < kSweeps && changed; ++sweep) {
+    changed = false;
+    for (Eigen::Index i = 0; i < mesh.F.rows(); ++i) {
+      const Eigen::Index f = sweep % 2 ? mesh.F.rows() - 1 - i : i;
+      for (int c = 0; c < 3; ++c) {
+        const int a = mesh.F(f, c), b = mesh.F(f, (c + 1) % 3);
+        const double way = kGrowth * (mesh.V.row(a) - mesh.V.row(b)).norm();
+        for (const auto& [low, high] : {std::pair(a, b), std::pair(b, a)})
+          if (radius[high] > radius[low] + way) {
+            radius[high] = radius[low] + way;
+            changed = true;
+          }
+      }
+    }
+  }
+}
+
 // The four largest of a vertex's weights, as shares of 1.
 void keep_four(const Eigen::VectorXd& of_part, std::span<const PartSurface> parts, int v,
                Weights& weights) {
@@ -100,15 +123,18 @@ Result<Weights> skin(const Document& document, std::span<const PartSurface> part
   const Body body(parts, tree, {}, 0);
   const Points3 normals = vertex_normals(mesh);
   const Eigen::VectorXd areas = lumped_areas(mesh);
-  Eigen::VectorXd heat(n);
+  Eigen::VectorXd heat(n), radius(n);
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, count);
   for (int v = 0; v < n; ++v) {
     if (v % 4096 == 0 && run.cancelled()) return cancelled();
     const Listening l =
         listening(body, tree, mesh.V.row(v).transpose(), normals.row(v).transpose());
-    heat[v] = areas[v] * kHeat / (l.radius * l.radius);
-    for (const int part : l.parts) right(v, part) = heat[v] / double(l.parts.size());
+    radius[v] = l.radius;
+    for (const int part : l.parts) right(v, part) = 1 / double(l.parts.size());
   }
+  limit_growth(mesh, radius);
+  heat = kHeat * areas.cwiseQuotient(radius.cwiseAbs2());
+  right = heat.asDiagonal() * right;
   run.report(0.3);
   SparseMatrix A = -cotangent_laplacian(mesh);
   A += SparseMatrix(heat.asDiagonal());
