@@ -176,6 +176,7 @@ int reconstruct_verb(const Arguments& a) {
   options.grid = a.grid.value_or(document->settings.grid.value_or(options.grid));
   options.triangles =
       a.triangles.value_or(document->settings.triangles.value_or(options.triangles));
+  options.mirror = document->settings.mirror.value_or(options.mirror);
   options.calibrate = !a.no_calibrate;
   options.visual_hull = a.visual_hull;
   CommandRun command(a);

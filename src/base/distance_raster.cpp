@@ -113,4 +113,24 @@ DistanceRaster::DistanceRaster(std::span<const std::vector<Vec2>> polygons, doub
   }
 }
 
+void DistanceRaster::swell(std::span<const Swelling> places, double width) {
+  std::vector<float> lowered(values_.size(), 0);
+  for (const Swelling& place : places) {
+    const float amount = float(place.amount);
+    const float reach = std::max(float(width * place.amount), 2 * step_) * per_step_;
+    const float cx = (float(place.at.x()) - x0_) * per_step_;
+    const float cy = (float(place.at.y()) - y0_) * per_step_;
+    for (int y = std::max(0, int(std::ceil(cy - reach))); y < std::min(float(ny_), cy + reach); ++y)
+      for (int x = std::max(0, int(std::ceil(cx - reach))); x < std::min(float(nx_), cx + reach);
+           ++x) {
+        const float dx = float(x) - cx, dy = float(y) - cy;
+        const float t = 1 - (dx * dx + dy * dy) / (reach * reach);
+        if (t <= 0) continue;
+        float& here = lowered[std::size_t(y) * nx_ + x];
+        here = std::max(here, amount * t * t);
+      }
+  }
+  for (std::size_t i = 0; i < values_.size(); ++i) values_[i] -= lowered[i];
+}
+
 }  // namespace artisketch

@@ -39,6 +39,13 @@ class DistanceRaster {
     return inner + std::sqrt((u - cu) * (u - cu) + (v - cv) * (v - cv)) * step_;
   }
   double distance(const Vec2& p) const { return distance(float(p.x()), float(p.y())); }
+  // Lowers the distances about each place by its amount there, fading to nothing at `width` times
+  // the amount (at least two steps) away; where places overlap the larger counts.
+  struct Swelling {
+    Vec2 at;
+    double amount;  // pixels, > 0
+  };
+  void swell(std::span<const Swelling> places, double width);
   double deepest() const { return deepest_; }  // largest distance inside, pixels
 
  private:

@@ -59,9 +59,8 @@ Slab slab_of(const std::vector<Silhouette>& views, const Vec3& middle) {
   return slab;
 }
 
-// A box that surely holds the hull: a cube about the point nearest to the middles of all outlines,
-// then only what ever finer carving leaves of it.
-Box3 hull_box(const Carving& carving) {
+// A cube about the point nearest to the middles of all outlines.
+Box3 room_of(const Carving& carving) {
   Mat3 A = 1e-3 * Mat3::Identity();  // pulled slightly to the bone, for views of one direction
   Vec3 b = 1e-3 * carving.middle;
   double diameter = 0;
@@ -71,11 +70,19 @@ Box3 hull_box(const Carving& carving) {
     const Mat3 across = Mat3::Identity() - ray.direction * ray.direction.transpose();
     A += across;
     b += across * ray.origin;
-    diameter = std::max(diameter, (box.diagonal().norm() + 2 * view.grown) /
-                                      view.view->pixels_per_unit(carving.middle));
+    diameter =
+        std::max(diameter, box.diagonal().norm() / view.view->pixels_per_unit(carving.middle));
   }
   const Vec3 centre = A.ldlt().solve(b);
-  Box3 box(centre - Vec3::Constant(0.75 * diameter), centre + Vec3::Constant(0.75 * diameter));
+  return {centre - Vec3::Constant(0.75 * diameter), centre + Vec3::Constant(0.75 * diameter)};
+}
+
+// What ever finer carving leaves of the room.
+Box3 hull_box(const Carving& carving) {
+  double grown = 0;
+  for (const Silhouette& view : carving.views)
+    grown = std::max(grown, view.grown / view.view->pixels_per_unit(carving.middle));
+  Box3 box(carving.room.min() - Vec3::Constant(grown), carving.room.max() + Vec3::Constant(grown));
   constexpr int n = 20;
   for (int pass = 0; pass < 3; ++pass) {
     const Vec3 step = box.sizes() / n;
@@ -181,6 +188,7 @@ Result<Carving> carving_of(const Part& part, std::span<const PartView* const> ex
     return bad_input("'" + part.name + "' has no closed contour in any frame");
   for (const PartView* view : extra) add(*view);
   carving.slab = slab_of(carving.views, carving.middle);
+  carving.room = room_of(carving);
   return carving;
 }
 

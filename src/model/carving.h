@@ -45,6 +45,7 @@ struct Carving {
   Slab slab;
   Vec3 middle = Vec3::Zero();  // of the part's bones, or its joint
   double radius = 0;           // units: of the largest ball that every outline could hold
+  Box3 room;                   // a cube that surely holds the hull
 
   double distance(const Vec3& p) const {
     double most = slab.distance(p);

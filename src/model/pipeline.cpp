@@ -1,5 +1,6 @@
 // The whole of it, as the paper's section 1.3 tells it: calibrate the poses, reconstruct every
 // part, make them one skin, bind that to the skeleton.
+#include "model/mirror.h"
 #include "model/stage_clock.h"
 #include "model/stages.h"
 
@@ -29,7 +30,8 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   }
 
   stages.start("surfaces", 0.3, 0.8);
-  const std::vector<Part> parts = parts_of(out.calibrated);
+  std::vector<Part> parts = parts_of(out.calibrated);
+  if (options.mirror) add_mirrored_views(out.calibrated, parts);
   double cells = 0, part_vertices = 0;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     stages.part(parts[p].name, int(p), int(parts.size()), 0.3, 0.8);

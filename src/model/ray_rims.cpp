@@ -62,38 +62,34 @@ class ArcLength {
 
 }  // namespace
 
-std::vector<RayRim> outline_rays(const Carving& carving, int per_view) {
+std::vector<RayRim> outline_rays(const Silhouette& silhouette, int count) {
   std::vector<RayRim> rims;
-  for (int v = 0; v < int(carving.views.size()); ++v) {
-    const Silhouette& silhouette = carving.views[v];
-    double total = 0;
-    for (const Polyline& line : silhouette.view->contours)
-      if (line.closed) total += length(line);
-    for (const Polyline& line : silhouette.view->contours) {
-      if (!line.closed) continue;
-      const ArcLength arc(line);
-      if (!(arc.total() > 0)) continue;
-      const int n = std::max(8, int(std::lround(per_view * arc.total() / total)));
-      const double spacing = arc.total() / n;
-      RayRim rim;
-      rim.view = v;
-      double votes = 0;
-      for (int i = 0; i < n; ++i) {
-        RimRay ray;
-        ray.pixel = arc.point(i * spacing);
-        const Vec2 along = arc.point((i + 0.4) * spacing) - arc.point((i - 0.4) * spacing);
-        if (!(along.norm() > 1e-9)) continue;
-        ray.outward = Vec2(along.y(), -along.x()).normalized();
-        ray.ray = silhouette.view->ray(ray.pixel);
-        const Vec2 way = std::min(0.25 * spacing, 1.0) * ray.outward;
-        votes += silhouette.raster.distance(ray.pixel + way) -
-                 silhouette.raster.distance(ray.pixel - way);
-        rim.rays.push_back(ray);
-      }
-      if (votes < 0)
-        for (RimRay& ray : rim.rays) ray.outward = -ray.outward;
-      if (rim.rays.size() >= 3) rims.push_back(std::move(rim));
+  double total = 0;
+  for (const Polyline& line : silhouette.view->contours)
+    if (line.closed) total += length(line);
+  for (const Polyline& line : silhouette.view->contours) {
+    if (!line.closed) continue;
+    const ArcLength arc(line);
+    if (!(arc.total() > 0)) continue;
+    const int n = std::max(8, int(std::lround(count * arc.total() / total)));
+    const double spacing = arc.total() / n;
+    RayRim rim;
+    double votes = 0;
+    for (int i = 0; i < n; ++i) {
+      RimRay ray;
+      ray.pixel = arc.point(i * spacing);
+      const Vec2 along = arc.point((i + 0.4) * spacing) - arc.point((i - 0.4) * spacing);
+      if (!(along.norm() > 1e-9)) continue;
+      ray.outward = Vec2(along.y(), -along.x()).normalized();
+      ray.ray = silhouette.view->ray(ray.pixel);
+      const Vec2 way = std::min(0.25 * spacing, 1.0) * ray.outward;
+      votes +=
+          silhouette.raster.distance(ray.pixel + way) - silhouette.raster.distance(ray.pixel - way);
+      rim.rays.push_back(ray);
     }
+    if (votes < 0)
+      for (RimRay& ray : rim.rays) ray.outward = -ray.outward;
+    if (rim.rays.size() >= 3) rims.push_back(std::move(rim));
   }
   return rims;
 }
@@ -149,11 +145,9 @@ void detect_depths(const Carving& carving, const Box3& box, const HermiteSurface
     const Depths depths = depths_of(box, ray.ray);
     float values[kDepths];
     f.values(ray.ray.at(depths.first), depths.step * ray.ray.direction, kDepths, values);
-    int best = -1;
     for (int k = 0; k < kDepths; ++k)
-      if ((best < 0 || values[k] < values[best]) && others.distance(ray.ray.at(depths.at(k))) <= 0)
-        best = k;
-    if (best < 0) continue;
+      values[k] += float(2 * std::max(0.0, others.distance(ray.ray.at(depths.at(k)))));
+    const int best = int(std::min_element(values, values + kDepths) - values);
     double at = best;
     if (best > 0 && best + 1 < kDepths) {  // the parabola through three samples
       const double a = values[best - 1], b = values[best], c = values[best + 1];

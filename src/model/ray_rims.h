@@ -23,9 +23,9 @@ struct RayRim {
   std::vector<RimRay> rays;  // in order around the line; the last is next to the first
 };
 
-// The rays of all closed lines, about `per_view` to a view, at equal steps along the lines, depths
-// unset.
-std::vector<RayRim> outline_rays(const Carving& carving, int per_view);
+// The rays of an outline's closed lines, about `count` in all, at equal steps along the lines;
+// depths and view unset.
+std::vector<RayRim> outline_rays(const Silhouette& silhouette, int count);
 
 // Chooses the depths: a closed dynamic programme that keeps each ray's point inside the other
 // views' outlines, deep rather than at their edge, and near its neighbours' depths. Views in the

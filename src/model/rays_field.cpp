@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <optional>
 
+#include "model/agreement.h"
 #include "model/inflate.h"
+#include "model/mirror.h"
 
 namespace artisketch {
 
 Result<RaysField> rays_field(const Part& part, const RaysFieldOptions& options, Run& run) {
   RaysField out;
-  Result<Carving> carving = carving_of(part, {}, options.cells);
+  Result<Carving> carving = carving_of(part, agreeing_mirrors(part, options.cells), options.cells);
   if (!carving) return carving.error();
   widen_until_they_meet(*carving, out.warnings);
+  swell_until_covered(*carving);
   Result<Grid3<float>> hull = carve(*carving, options.cells, run);
   if (!hull) return hull.error();
   out.distance = std::move(*hull);
@@ -21,7 +24,20 @@ Result<RaysField> rays_field(const Part& part, const RaysFieldOptions& options, 
     return out;
   }
   const Box3 box = out.distance.box();
-  out.rims = outline_rays(*carving, options.rays_per_view);
+  // A mirrored outline from a direction that another one has already seen adds nothing but the
+  // doubt whether both are right.
+  std::vector<Vec3> directions;
+  for (int v = 0; v < int(carving->views.size()); ++v) {
+    const Silhouette& view = carving->views[v];
+    const bool seen = std::any_of(directions.begin(), directions.end(),
+                                  [&](const Vec3& d) { return same_direction(d, view.direction); });
+    if (view.view->mirrored && seen) continue;
+    directions.push_back(view.direction);
+    for (RayRim& rim : outline_rays(view, options.rays_per_view)) {
+      rim.view = v;
+      out.rims.push_back(std::move(rim));
+    }
+  }
   for (RayRim& rim : out.rims) choose_depths(*carving, box, rim);
   std::optional<HermiteSurface> f;
   for (int pass = 0; pass <= options.refits; ++pass) {

@@ -86,9 +86,10 @@ struct PartView {
 struct Part {
   int joint = 0;
   std::string name;
-  std::vector<PartView> views;  // frames in which the joint has contours
-  std::vector<Bone> bones;      // of this joint; empty for a leaf
-  Vec3 origin = Vec3::Zero();   // the joint's rest position
+  std::vector<PartView> views;    // frames in which the joint has contours
+  std::vector<PartView> mirrors;  // its mirror image's contours, reflected: candidates (mirror.h)
+  std::vector<Bone> bones;        // of this joint; empty for a leaf
+  Vec3 origin = Vec3::Zero();     // the joint's rest position
   double fatness = 1;
 };
 
@@ -237,6 +238,7 @@ struct PipelineOptions {
   bool calibrate = true;
   bool visual_hull = false;  // plain hulls of the parts, united without blending
   int triangles = 15000;     // of the model, about
+  bool mirror = true;        // joints see their mirror images' contours, where these agree
 };
 
 struct StageTime {

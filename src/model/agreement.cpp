@@ -1,0 +1,91 @@
+#include "model/agreement.h"
+
+#include <algorithm>
+
+#include "model/ray_rims.h"
+
+namespace artisketch {
+namespace {
+
+constexpr int kRays = 64;               // tested per outline
+constexpr double kMostSwelling = 0.03;  // of the outline's diagonal
+constexpr double kWidth = 12;           // of a swelling, times its height: a gentle one
+
+std::vector<const Silhouette*> all_but(const Carving& carving, const Silhouette* out) {
+  std::vector<const Silhouette*> rest;
+  for (const Silhouette& view : carving.views)
+    if (&view != out) rest.push_back(&view);
+  return rest;
+}
+
+}  // namespace
+
+Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Box3& room) {
+  const auto outside = [&](double depth) {
+    const Vec3 p = ray.at(depth);
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Silhouette* other : others)
+      most = std::max(most, other->distance(p) * other->view->pixels_per_unit(p));
+    return most;
+  };
+  constexpr int kSteps = 48;
+  const double middle = (room.center() - ray.origin).dot(ray.direction);
+  const double first = middle - room.diagonal().norm() / 2;
+  const double step = room.diagonal().norm() / kSteps;
+  double least = std::numeric_limits<double>::infinity(), at = middle;
+  for (int k = 0; k <= kSteps; ++k)
+    if (const double d = outside(first + k * step); d < least) {
+      least = d;
+      at = first + k * step;
+    }
+  // Golden section around the best sample.
+  double low = at - step, high = at + step;
+  constexpr double kGolden = 0.61803398874989485;
+  for (int i = 0; i < 12; ++i) {
+    const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
+    const bool nearer_a = outside(a) < outside(b);
+    (nearer_a ? high : low) = nearer_a ? b : a;
+  }
+  if (const double middle_depth = (low + high) / 2; outside(middle_depth) < least) {
+    at = middle_depth;
+    least = outside(at);
+  }
+  return {least, ray.at(at)};
+}
+
+double coverage(const Silhouette& outline, const std::vector<const Silhouette*>& others,
+                const Box3& room, double tolerance) {
+  int met = 0, all = 0;
+  for (const RayRim& line : outline_rays(outline, kRays))
+    for (const RimRay& ray : line.rays) {
+      ++all;
+      met += miss(ray.ray, others, room).distance <= tolerance;
+    }
+  return all ? double(met) / all : 1;
+}
+
+void swell_until_covered(Carving& carving) {
+  if (carving.one_direction()) return;
+  std::vector<std::vector<DistanceRaster::Swelling>> swellings(carving.views.size());
+  for (const Silhouette& view : carving.views) {
+    const auto others = all_but(carving, &view);
+    for (const RayRim& line : outline_rays(view, kRays))
+      for (const RimRay& ray : line.rays) {
+        const Miss found = miss(ray.ray, others, carving.room);
+        // Every outline that it passes there must give way, each by what it lacks.
+        for (const Silhouette& other : carving.views) {
+          if (&other == &view || !(found.distance > 0)) continue;
+          const double lacks =
+              other.distance(found.point) * other.view->pixels_per_unit(found.point);
+          const double most = kMostSwelling * other.view->outline.box().diagonal().norm();
+          if (lacks > 0)
+            swellings[&other - carving.views.data()].push_back(
+                {other.view->project(found.point), std::min(lacks, most)});
+        }
+      }
+  }
+  for (std::size_t v = 0; v < swellings.size(); ++v)
+    carving.views[v].raster.swell(swellings[v], kWidth);
+}
+
+}  // namespace artisketch

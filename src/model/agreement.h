@@ -1,0 +1,29 @@
+// How well the views of a part explain each other: an outline's ray that no depth brings inside all
+// other outlines says that some view is wrong there.
+#pragma once
+
+#include <vector>
+
+#include "model/carving.h"
+
+namespace artisketch {
+
+// Where a ray passes what `others` allow by the least, and by how many pixels; negative where it
+// comes inside them.
+struct Miss {
+  double distance;
+  Vec3 point;
+};
+Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Box3& room);
+
+// Share of an outline's rays that miss the others by no more than `tolerance` pixels.
+double coverage(const Silhouette& outline, const std::vector<const Silhouette*>& others,
+                const Box3& room, double tolerance);
+
+// Wobbly outlines cut each other: every intersection of them is smaller than what was drawn. Swells
+// each outline by the few pixels, just where they are lacking, that let the others' rays meet the
+// hull; by at most kMostSwelling of its size, as views that disagree by more are wrong in their
+// pose.
+void swell_until_covered(Carving& carving);
+
+}  // namespace artisketch

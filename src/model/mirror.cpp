@@ -1,0 +1,63 @@
+#include "model/mirror.h"
+
+#include <algorithm>
+
+#include "model/agreement.h"
+
+namespace artisketch {
+namespace {
+
+constexpr double kTolerance = 1.5;   // pixels
+constexpr double kAgreement = 0.99;  // share of rays
+
+}  // namespace
+
+void add_mirrored_views(const Document& document, std::vector<Part>& parts) {
+  const Skeleton& skeleton = document.skeleton;
+  if (skeleton.joints.empty()) return;
+  Transform reflection = Transform::Identity();
+  reflection.linear()(0, 0) = -1;
+  reflection.translation().x() = 2 * rest_positions(skeleton)[0].x();
+  for (Part& part : parts) {
+    const int image = skeleton.joints[part.joint].mirror;
+    if (image < 0) continue;
+    const auto of_image = std::find_if(parts.begin(), parts.end(),
+                                       [&](const Part& other) { return other.joint == image; });
+    if (of_image == parts.end()) continue;
+    part.mirrors.clear();
+    for (const PartView& view : of_image->views) {
+      if (!view.seen()) continue;
+      part.mirrors.push_back(view);
+      part.mirrors.back().mirrored = true;
+      part.mirrors.back().to_world = view.to_world * reflection;
+    }
+  }
+}
+
+std::vector<const PartView*> agreeing_mirrors(const Part& part, int cells) {
+  std::vector<const PartView*> mirrors;
+  for (const PartView& view : part.mirrors) mirrors.push_back(&view);
+  if (mirrors.empty()) return {};
+  Result<Carving> own = carving_of(part, {}, cells);
+  if (!own || own->one_direction()) return {};
+  const Result<Carving> all = carving_of(part, mirrors, cells);
+  std::vector<const Silhouette*> own_views, all_views;
+  for (const Silhouette& view : all->views) {
+    all_views.push_back(&view);
+    if (!view.view->mirrored) own_views.push_back(&view);
+  }
+  const auto covered = [&](const Silhouette* view, std::vector<const Silhouette*> others) {
+    others.erase(std::remove(others.begin(), others.end(), view), others.end());
+    return coverage(*view, others, all->room, kTolerance);
+  };
+  for (const Silhouette* view : all_views) {
+    const bool fine =
+        view->view->mirrored
+            ? covered(view, own_views) >= kAgreement && covered(view, all_views) >= kAgreement
+            : covered(view, own_views) - covered(view, all_views) <= 1 - kAgreement;
+    if (!fine) return {};
+  }
+  return mirrors;
+}
+
+}  // namespace artisketch

@@ -1,0 +1,20 @@
+// A joint's mirror image as further views of its part: the other joint's contours, reflected.
+#pragma once
+
+#include <vector>
+
+#include "model/carving.h"
+
+namespace artisketch {
+
+// Fills each part's `mirrors` with the contours of its joint's mirror image, reflected in the rest
+// pose's plane x = x(root). A joint that is its own image gives its part its own contours from the
+// other side. Candidates only: which of them a part can use, agreeing_mirrors tells.
+void add_mirrored_views(const Document& document, std::vector<Part>& parts);
+
+// The part's mirrored views, all of them or none: only where they say nothing that the part's own
+// contours deny. All must be covered by the part's own hull and by all the rest, and cost the own
+// contours no coverage. None where the own views share one direction: they would deny nothing.
+std::vector<const PartView*> agreeing_mirrors(const Part& part, int cells);
+
+}  // namespace artisketch
