@@ -211,9 +211,19 @@ double distance(const Figure& figure, const Vec3& p) {
 
 Mesh rest_mesh(const Figure& figure, double cell) {
   Box3 box;
+  std::vector<std::pair<Ball, const Solid*>> parts;
   for (const Solid& part : figure.parts)
-    if (!part.empty()) box.extend(bounds(part));
-  return polygonise([&](const Vec3& p) { return distance(figure, p); }, box, cell);
+    if (!part.empty()) {
+      box.extend(bounds(part));
+      parts.emplace_back(bounding_ball(part), &part);
+    }
+  const auto nearest = [&](const Vec3& p) {
+    double d = std::numeric_limits<double>::infinity();
+    for (const auto& [ball, part] : parts)
+      if ((p - ball.centre).norm() - ball.radius < d) d = std::min(d, distance(*part, p));
+    return d;
+  };
+  return polygonise(nearest, box, cell);
 }
 
 std::vector<Mesh> posed_parts(const Figure& figure, const Pose& pose, double cell) {

@@ -41,7 +41,7 @@ TEST(Figures, RestMeshesAreClosedAndAsLargeAsTheSolid) {
   EXPECT_TRUE(topology(mesh).manifold());
   EXPECT_NEAR(signed_volume(mesh), kPi / 6, 0.005);
   for (const Figure& figure : cast()) {
-    const Topology t = topology(rest_mesh(figure, 0.03));
+    const Topology t = topology(rest_mesh(figure, 0.04));
     EXPECT_TRUE(t.manifold()) << figure.name;
     EXPECT_EQ(t.components, 1) << figure.name;
   }
