@@ -1,6 +1,6 @@
-# Every dependency of the program in one place; all are headers alone. Each is looked for where
-# systems' packages put it; to use another copy, set the cache path ARTISKETCH_NAME_DIR to the
-# folder that holds its headers.
+# Every dependency of the program in one place; all but meshoptimizer are headers alone. Each is
+# looked for where systems' packages put it; to use another copy, set the cache path
+# ARTISKETCH_NAME_DIR to the folder that holds its headers.
 #
 # A link to each is made in BUILD/include, and only that folder is searched: the same headers serve
 # this machine's compiler and Emscripten's, which must never see /usr/include. They are SYSTEM
