@@ -175,26 +175,29 @@ struct Candidate {
 using Stage = std::vector<Candidate>;  // what could stand for one sample
 
 // Whether the contour's tangent, turned a quarter turn from +x to −y, points out of the part.
-bool outside_on_the_left(const PartView& view, const Polyline& samples) {
-  int votes = 0;
-  const std::size_t n = samples.points.size();
-  for (std::size_t s = 0; s < n; ++s) {
-    const Vec2 t = (samples.end_of(s) - samples.points[s]).normalized();
-    const Vec2 middle = (samples.end_of(s) + samples.points[s]) / 2, left(t.y(), -t.x());
-    votes += int(view.outline.inside(middle - 0.2 * left)) -
-             int(view.outline.inside(middle + 0.2 * left));
+bool outside_on_the_left(const PartView& view, const Polyline& contour) {
+  constexpr double kAside = 1e-3;  // pixels
+  double votes = 0;
+  for (std::size_t s = 0; s < contour.segments(); ++s) {
+    const Vec2 along = contour.end_of(s) - contour.points[s];
+    const double length = along.norm();
+    if (length == 0) continue;
+    const Vec2 middle = contour.points[s] + along / 2;
+    const Vec2 left = Vec2(along.y(), -along.x()) * (kAside / length);
+    votes += length *
+             (int(view.outline.inside(middle - left)) - int(view.outline.inside(middle + left)));
   }
   return votes >= 0;
 }
 
 // What could stand for each sample of a contour, leaving out those that nothing could.
 // edge: a mesh edge in pixels.
-std::vector<Stage> stages_along(const PartView& view, const Polyline& samples,
-                                const SeenVertices& seen, const PixelBuckets& buckets, double edge,
-                                double edge_units) {
+std::vector<Stage> stages_along(const PartView& view, const Polyline& contour,
+                                const Polyline& samples, const SeenVertices& seen,
+                                const PixelBuckets& buckets, double edge, double edge_units) {
   const CostWeights weights;
   const double reach = kReach * edge;
-  const double turn = outside_on_the_left(view, samples) ? 1 : -1;
+  const double turn = outside_on_the_left(view, contour) ? 1 : -1;
   std::vector<Stage> stages;
   const int n = int(samples.points.size());
   for (int s = 0; s < n; ++s) {
@@ -331,7 +334,7 @@ Result<std::vector<Rim>> rim_paths(const Part& part, const Mesh& mesh, Run& run)
       if (!contour.closed) continue;
       const Polyline samples = resampled(contour, edge);
       const std::vector<Stage> stages =
-          stages_along(view, samples, seen, buckets, edge, edge_units);
+          stages_along(view, contour, samples, seen, buckets, edge, edge_units);
       // A contour that the surface doesn't reach (of a smaller piece, of a closed hole) has none.
       if (stages.size() < 3 || 2 * stages.size() < samples.points.size()) continue;
       const std::vector<int> chosen = choice.cheapest_round(stages);
