@@ -233,11 +233,14 @@ Result<Body::Sampled> Body::sample(double cell, double reach, Run& run) const {
   std::vector<Box3> boxes;
   for (const Field& f : fields_)
     if (!f.box.isEmpty()) boxes.push_back(f.box);
-  for (const Tube& tube : tubes) boxes.push_back(tube.box());
   Box3 all;
   for (Box3& box : boxes) {
     box = Box3(box.min() - Vec3::Constant(reach), box.max() + Vec3::Constant(reach));
     all.extend(box);
+  }
+  for (const Tube& tube : tubes) {
+    all.extend(tube.box().min() - Vec3::Constant(reach));
+    all.extend(tube.box().max() + Vec3::Constant(reach));
   }
   Sampled sampled;
   BlockGrid& grid = sampled.grid;
@@ -251,6 +254,20 @@ Result<Body::Sampled> Body::sample(double cell, double reach, Run& run) const {
     for (int z = from.z(); z <= to.z(); ++z)
       for (int y = from.y(); y <= to.y(); ++y)
         for (int x = from.x(); x <= to.x(); ++x) wanted[grid.block_index(x, y, z)] = 1;
+  }
+  // Along a tube only what lies near its axis: its box may be large and empty.
+  for (const Tube& tube : tubes) {
+    const double around = tube.radius + reach + side;
+    const int steps = int((tube.axis.b - tube.axis.a).norm() / side) + 1;
+    for (int step = 0; step <= steps; ++step) {
+      const Vec3 p = tube.axis.at(double(step) / steps) - grid.origin;
+      const Index3 from = ((p.array() - around) / side).floor().cast<int>().max(0);
+      const Index3 to =
+          ((p.array() + around) / side).floor().cast<int>().min(grid.blocks.array() - 1);
+      for (int z = from.z(); z <= to.z(); ++z)
+        for (int y = from.y(); y <= to.y(); ++y)
+          for (int x = from.x(); x <= to.x(); ++x) wanted[grid.block_index(x, y, z)] = 1;
+    }
   }
   grid.store(wanted);
   sampled.seam.resize(grid.values.size());

@@ -28,7 +28,7 @@ class Body {
   std::vector<Tube> tubes;
 
   int size() const { return int(fields_.size()); }
-  double gap() const { return gap_; }
+  void set_gap(double gap) { gap_ = gap; }
   // Distance of one part at p; beyond its grid the border's value plus the way to it.
   double part_distance(int part, const Vec3& p) const;
   double part_distance(int part, const Vec3& p, Vec3& gradient) const;

@@ -17,19 +17,34 @@ namespace {
 constexpr double kCellsAcrossThinnest = 6;
 constexpr double kWantedVertices = 25000;  // of the lattice's surface, where no part is thinner
 constexpr double kMostVertices = 120000;
+constexpr double kMostSamples = 1e9;  // of the lattice, stored or not
+constexpr double kMostStored = 2e7;   // 160 MB
+constexpr double kMostAlongSide = 1e4;
+
+// Between strangers, in cells: the lattice tells them apart by so much; once it has, their walls
+// may come as near as this without meeting.
+constexpr double kLatticeGap = 2, kSettledGap = 0.5;
 
 // The lattice's step: fine enough for the thinnest part, and for a surface that looks smooth.
-double cell_size(const PartTree& tree) {
-  double area = 0, thinnest = BlockGrid::kOutside;
-  for (const PartTree::Node& node : tree.nodes) {
-    if (!node.solid) continue;
-    area += node.area;
-    thinnest = std::min(thinnest, node.thickness);
+double cell_size(const PartTree& tree, std::span<const PartSurface> parts) {
+  double area = 0, stored = 0, thinnest = BlockGrid::kOutside;
+  Box3 all;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!tree.nodes[i].solid) continue;
+    area += tree.nodes[i].area;
+    thinnest = std::min(thinnest, tree.nodes[i].thickness);
+    stored += parts[i].distance.box().volume();
+    all.extend(parts[i].distance.box());
   }
   // A lattice surface has about 1.5 vertices per cell² of area.
   const auto cell_for = [&](double vertices) { return std::sqrt(1.5 * area / vertices); };
-  return std::max(std::min(cell_for(kWantedVertices), thinnest / kCellsAcrossThinnest),
-                  cell_for(kMostVertices));
+  const double wanted =
+      std::max(std::min(cell_for(kWantedVertices), thinnest / kCellsAcrossThinnest),
+               cell_for(kMostVertices));
+  // Small parts far apart, thin ones across the grain: memory has its limits.
+  const Vec3 sides = all.sizes();
+  return std::max({wanted, std::cbrt(stored / kMostStored), std::cbrt(sides.prod() / kMostSamples),
+                   sides.maxCoeff() / kMostAlongSide});
 }
 
 // The pieces of a closed surface.
@@ -168,8 +183,8 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
     return bad_input("no part has a body: draw a closed contour for at least one joint");
   std::vector<JointSphere> spheres;
   if (options.blend) spheres = joint_spheres(document, parts, tree);
-  const double cell = cell_size(tree);
-  Body body(parts, tree, spheres, 2 * cell);
+  const double cell = cell_size(tree, parts);
+  Body body(parts, tree, spheres, kLatticeGap * cell);
   Result<Body::Sampled> sampled = Error{};
   Surface surface;
   for (const bool tied : {false, true}) {
@@ -187,6 +202,7 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
   run.report(0.5);
   QuadMesh mesh = only(surface.mesh, surface.found, surface.found.largest);
   if (mesh.V.rows() == 0) return bad_input("the parts are too thin to make a surface of");
+  body.set_gap(kSettledGap * cell);
   const Settled settled = settle(body, *sampled, mesh);
   if (run.cancelled()) return cancelled();
   name_the_fused(document, parts, tree, mesh, settled, warnings);

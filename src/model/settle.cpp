@@ -23,7 +23,7 @@ Settled settle(const Body& body, const Body::Sampled& sampled, QuadMesh& mesh) {
     const Body::Reading r = body.read(p, sampled.near[block[v]]);
     const double g2 = r.gradient.squaredNorm();
     settled.owner[v] = r.part;
-    if (g2 < 1e-4) return r.distance;
+    if (!(g2 > 1e-4)) return r.distance;
     settled.normals.row(v) = (r.gradient / std::sqrt(g2)).transpose();
     p -= std::clamp(r.distance / g2, -most, most) * r.gradient;
     return r.distance;
