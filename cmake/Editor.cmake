@@ -93,3 +93,8 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
 )
 target_link_libraries(artisketch_editor PUBLIC artisketch_core artisketch_imgui
                       PRIVATE artisketch_warnings)
+
+if(NOT EMSCRIPTEN)
+  add_executable(artisketch-editor EXCLUDE_FROM_ALL native_main/editor_main.cpp native_main/desktop.cpp)
+  target_link_libraries(artisketch-editor PRIVATE artisketch_editor artisketch_warnings)
+endif()
