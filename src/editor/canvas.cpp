@@ -59,11 +59,12 @@ void paint_model(Work& work, const FrameCamera& camera, const OnScreen& on, cons
                  float pixel_ratio) {
   const std::vector<Clip>& clips = work.built->model.clips;
   if (clips.empty() || work.view.frame >= int(clips[0].poses.size())) return;
-  const Pose* pose = &clips[0].poses[std::size_t(work.view.frame)];
+  const Pose& pose = clips[0].poses[std::size_t(work.view.frame)];
   // In Pose the model stands as the person has it, so that what does not fit shows.
+  const Pose drawn = work.drawn_pose();
   const bool theirs =
-      work.view.mode == Mode::pose && work.drawn_pose().rotations.size() == pose->rotations.size();
-  work.built->picture->pose(work.built->model, theirs ? work.drawn_pose() : *pose, Vec3::Zero());
+      work.view.mode == Mode::pose && drawn.rotations.size() == pose.rotations.size();
+  work.built->picture->pose(work.built->model, theirs ? drawn : pose, Vec3::Zero());
   const Eye eye = sketch_eye(camera, on.origin, on.zoom, place);
   PaintOptions options;
   options.dark = theme().dark;
@@ -98,7 +99,7 @@ void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
     if (work.proposal) {
       BonesLook other;
       other.faint = true;
-      const Pose& faint = work.proposal->shown
+      const Pose& faint = work.proposal->shown != work.proposal->peeking
                               ? frame.pose
                               : work.proposal->document.frames[std::size_t(view.frame)].pose;
       paint_bones(draw(), work.document().skeleton, faint, camera, on, other);

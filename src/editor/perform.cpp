@@ -263,10 +263,7 @@ void perform(Work& work, Command command) {
       zoom_in_middle(view, 0.8f);
       break;
     case Command::play:
-      if (work.proposal && view.mode == Mode::pose)
-        work.proposal->shown = !work.proposal->shown;
-      else
-        toggle_play(work);
+      if (!(work.proposal && view.mode == Mode::pose)) toggle_play(work);  // there it compares
       break;
     case Command::fade:
       view.layer().drawing_opacity = view.layer().drawing_opacity > 0.5f ? 0.3f : 0.85f;

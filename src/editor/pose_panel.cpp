@@ -19,8 +19,8 @@ double turned_by(const Pose& a, const Pose& b, int joint) {
 void proposal_card(Work& work, Rect& place) {
   const Theme& t = theme();
   Proposal& proposal = *work.proposal;
-  const Rect card = place.cut_top(172).inset(12, 0);
-  draw().AddRectFilled(card.min(), card.max(), t.control, kRadiusCard);
+  const Rect card = place.cut_top(158).inset(12, 0);
+  draw().AddRectFilled(card.min(), card.max(), t.panel, kRadiusCard);
   draw().AddRect(card.min(), card.max(), t.accent, kRadiusCard, 0, 1.5f);
   Rect column = card.inset(12);
   Rect head = column.cut_top(22);
