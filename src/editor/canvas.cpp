@@ -112,11 +112,7 @@ void head(Work& work, const Layout& layout) {
   const Theme& t = theme();
   Rect row = layout.canvas_head;
   const int frames = int(work.document().frames.size());
-  const std::string title = work.has_frame() && !work.frame().name.empty()
-                                ? work.frame().name
-                                : "Drawing " + std::to_string(work.view.frame + 1);
-  std::string name = title;
-  if (name[0] >= 'a' && name[0] <= 'z') name[0] = char(name[0] - 'a' + 'A');
+  const std::string name = work.has_frame() ? frame_words(work.document(), work.view.frame) : "";
   const std::string of = std::to_string(work.view.frame + 1) + " of " + std::to_string(frames);
   if (layout.tablet) {
     draw().AddRectFilled(row.min(), row.max(), faded(t.panel, 0.95f), kRadiusPanel);

@@ -380,12 +380,13 @@ void take_calibration(Work& work, const JobResult& result) {
     next.frames[f].pose = calibrated->frames[f].pose;
     next.frames[f].scale = calibrated->frames[f].scale;
   }
-  work.proposal = Proposal{std::move(next),
-                           result.coverage,
-                           std::vector<bool>(std::size_t(work.document().skeleton.size()), true),
-                           true,
-                           ImGui::GetTime(),
-                           work.history.revision()};
+  Proposal proposal;
+  proposal.document = std::move(next);
+  proposal.coverage = result.coverage;
+  proposal.taken.assign(std::size_t(work.document().skeleton.size()), true);
+  proposal.since = ImGui::GetTime();
+  proposal.revision = work.history.revision();
+  work.proposal = std::move(proposal);
   if (work.view.mode != Mode::pose) set_mode(work, Mode::pose);
 }
 

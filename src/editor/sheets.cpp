@@ -167,7 +167,7 @@ void toasts(Work& work, const Layout& layout) {
   const Theme& t = theme();
   constexpr double kSeconds = 6;
   const double now = ImGui::GetTime();
-  float bottom = layout.strip.y - 12;
+  float bottom = (layout.tablet ? layout.inspector.y : layout.strip.y) - 12;
   for (std::size_t i = 0; i < work.toasts.size();) {
     Toast& toast = work.toasts[i];
     if (toast.since < 0) toast.since = now;
