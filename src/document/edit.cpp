@@ -27,7 +27,7 @@ JointWords joint_words(const std::string& name) {
   return words;
 }
 
-std::string frame_words(const Document& document, int frame) {
+std::string drawing_words(const Document& document, int frame) {
   const std::string& name = document.frames.at(frame).name;
   return name.empty() ? "Drawing " + std::to_string(frame + 1) : capitalised(name);
 }

@@ -25,7 +25,7 @@ struct JointWords {
 JointWords joint_words(const std::string& name);
 
 // A drawing's name as people read it: "front" → "Front"; its number where it has none.
-std::string frame_words(const Document& document, int frame);
+std::string drawing_words(const Document& document, int frame);
 
 // The joints whose parts are to be outlined: those that carry a contour anywhere; where none does,
 // all that have a child.

@@ -112,7 +112,7 @@ void head(Work& work, const Layout& layout) {
   const Theme& t = theme();
   Rect row = layout.canvas_head;
   const int frames = int(work.document().frames.size());
-  const std::string name = work.has_frame() ? frame_words(work.document(), work.view.frame) : "";
+  const std::string name = work.has_frame() ? drawing_words(work.document(), work.view.frame) : "";
   const std::string of = std::to_string(work.view.frame + 1) + " of " + std::to_string(frames);
   if (layout.tablet) {
     draw().AddRectFilled(row.min(), row.max(), faded(t.panel, 0.95f), kRadiusPanel);

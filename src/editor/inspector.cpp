@@ -22,7 +22,7 @@ void paint_mark(ImVec2 at, int joint, Fit fit) {
 }
 
 std::string fit_in_words(const Work& work, int joint, int frame) {
-  const std::string name = frame_words(work.document(), frame);
+  const std::string name = drawing_words(work.document(), frame);
   switch (fit_of(work, joint, frame)) {
     case Fit::missing:
       return "Missing in " + name;
@@ -168,7 +168,7 @@ void part_chips(Work& work, Rect place) {
   for (int joint : parts)
     outlined += work.has_frame() && fit_of(work, joint, work.view.frame) != Fit::missing;
   const std::string title =
-      "Parts" + (work.has_frame() ? " in " + frame_words(document, work.view.frame) : "");
+      "Parts" + (work.has_frame() ? " in " + drawing_words(document, work.view.frame) : "");
   write(head.cut_left(text_width(Font::title, title) + 12), Font::title, t.text, title);
   write(head, Font::caption, t.muted,
         std::to_string(outlined) + " of " + std::to_string(parts.size()));

@@ -100,7 +100,7 @@ void pose_panel(Work& work, Rect place) {
   Rect head = place.cut_top(48).inset(16, 0);
   write(head.cut_left(text_width(Font::title, "Pose") + 8), Font::title, t.text, "Pose");
   if (work.has_frame())
-    write(head, Font::caption, t.muted, frame_words(work.document(), work.view.frame));
+    write(head, Font::caption, t.muted, drawing_words(work.document(), work.view.frame));
   if (work.proposal && work.has_frame()) {
     proposal_card(work, place);
     if (work.proposal) coverage_table(work, place);

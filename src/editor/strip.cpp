@@ -64,7 +64,7 @@ void card(Work& work, int f, const Rect& place, bool slim, bool narrow) {
   const Theme& t = theme();
   const bool on = f == work.view.frame;
   const std::string number = std::to_string(f + 1);
-  const std::string name = frame_words(work.document(), f);
+  const std::string name = drawing_words(work.document(), f);
   const Press press = press_area("Drawing card " + number, place, true, on);
   if (press.clicked) {
     work.view.frame = f;

@@ -21,7 +21,7 @@ void drawings_beside(Work& work, Rect column) {
     thumbnail(work, frame, card);
     draw().AddRect(card.min(), card.max(), f == lit ? t.accent : t.line, kRadius, 0,
                    f == lit ? 2.5f : 1.0f);
-    const std::string name = frame_words(work.document(), f);
+    const std::string name = drawing_words(work.document(), f);
     write({card.x + 8, card.bottom() - 20, card.w - 12, 16}, Font::small, rgb(0x1C2025), name);
   }
 }
