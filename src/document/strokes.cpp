@@ -258,7 +258,8 @@ std::vector<Candidate> joint_candidates(const Document& document, int frame, con
   }
   if (alike >= 0) propose(alike, where.empty() ? "same shape elsewhere" : "same shape in " + where);
   if (scored.size() > 1) propose(scored[1].joint, "next bone");
-  propose(skeleton.joints[nearest].mirror, "its mirror image");
+  if (skeleton.joints[nearest].mirror != nearest)
+    propose(skeleton.joints[nearest].mirror, "its mirror image");
   return result;
 }
 

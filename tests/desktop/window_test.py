@@ -4,7 +4,9 @@ window is found through its own list of controls.
 
     window_test.py EDITOR EXAMPLES FOLDER     pictures of each step go to FOLDER
 """
-import json, os, pathlib, subprocess, sys, tempfile, time
+import json, math, os, pathlib, signal, subprocess, sys, tempfile, time
+
+signal.alarm(240)  # a window that hangs is a failure, not a wait
 
 editor_path, examples, pictures = map(pathlib.Path, sys.argv[1:4])
 pictures.mkdir(parents=True, exist_ok=True)
@@ -91,9 +93,13 @@ class Window:
                        env=self.environment, check=True)
 
     def close(self):
-        for process in (self.editor, self.manager, self.screen):
+        if self.editor.poll() is None:
+            self.editor.stdin.write("quit\n")
+            self.editor.stdin.flush()
+            self.editor.wait(10)
+        for process in (self.manager, self.screen):
             process.terminate()
-            process.wait()
+            process.wait(10)
 
 
 def greets_with_the_hero():
@@ -114,7 +120,7 @@ def reconstructs_and_cancels():
     window.wait(lambda: window.state()["hasModel"], 60, "the model")
     window.picture("outline")
     window.click("Result mode")
-    assert window.state()["mode"] == "result"
+    window.wait(lambda: window.state()["mode"] == "result", why="the mode")
     window.picture("result")
     window.click("Export")
     window.picture("export")
@@ -125,7 +131,7 @@ def reconstructs_and_cancels():
     window.wait(lambda: window.state()["busy"], why="the job")
     began = time.time()
     window.click("Cancel")
-    window.wait(lambda: not window.state()["busy"], 1, "the end of the job")
+    window.wait(lambda: not window.state()["busy"], why="the end of the job")
     print(f"cancelled {time.time() - began:.2f} s after the pointer set out")
     window.close()
 
@@ -134,14 +140,14 @@ def draws_and_undoes():
     window = Window("1440x900", examples / "hero/hero.artisketch")
     window.key("d")
     centre = window.ask("project 0 320 60")
-    import math
+
     circle = [(centre[0] + 28 * math.cos(t / 5), centre[1] + 28 * math.sin(t / 5))
               for t in range(32)]
     window.drag(circle)
     window.picture("new-outline")
     window.key("Return")
     window.wait(lambda: window.state()["canUndo"], why="the outline")
-    assert window.state()["unsaved"]
+    window.wait(lambda: window.state()["unsaved"], why="unsaved work")
     window.key("ctrl+z")
     window.wait(lambda: not window.state()["canUndo"], why="undo")
     window.key("ctrl+shift+z")
@@ -152,11 +158,12 @@ def draws_and_undoes():
 def recovers_what_was_lost():
     window = Window("1440x900", examples / "hero/hero.artisketch")
     window.key("3")
-    joint = window.ask("project 0 320 520")
+    window.wait(lambda: window.state()["mode"] == "pose", why="the mode")
     window.click("Reset tool")
     window.wait(lambda: window.state()["canUndo"], why="the edit")
     time.sleep(3.2)
     window.editor.kill()
+    window.editor.wait()
     window.close()
     again = Window("1440x900", home=window.home)
     again.wait(lambda: any(w["label"] == "Keep" for w in again.widgets()), why="the offer")

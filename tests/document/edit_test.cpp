@@ -1,0 +1,241 @@
+#include "document/edit.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "document/history.h"
+
+namespace artisketch {
+namespace {
+
+// A body with two arms of two bones each, seen by an orthographic camera, 100 pixels per unit.
+Document figure() {
+  Document document;
+  document.camera.pixels_per_unit = 100;
+  const auto joint = [&](const char* name, int parent, Vec3 offset, int mirror) {
+    document.skeleton.joints.push_back({name, parent, offset, mirror, ""});
+  };
+  joint("chest", -1, {0, 1, 0}, 0);
+  joint("upper_arm.L", 0, {0.2, 0, 0}, 4);
+  joint("forearm.L", 1, {0.5, 0, 0}, 5);
+  joint("hand.L", 2, {0.5, 0, 0}, 6);
+  joint("upper_arm.R", 0, {-0.2, 0, 0}, 1);
+  joint("forearm.R", 4, {-0.5, 0, 0}, 2);
+  joint("hand.R", 5, {-0.5, 0, 0}, 3);
+  Frame frame;
+  frame.name = "front";
+  frame.width = frame.height = 400;
+  frame.pose = rest_pose(document.skeleton);
+  document.frames.push_back(frame);
+  return document;
+}
+
+Polyline circle(Vec2 centre, double radius, int points = 64) {
+  Polyline line;
+  for (int i = 0; i < points; ++i) {
+    const double a = 2 * kPi * i / points;
+    line.points.push_back(centre + radius * Vec2(std::cos(a), std::sin(a)));
+  }
+  return line;
+}
+
+Vec3 place(const Skeleton& skeleton, const Pose& pose, int joint) {
+  return posed_joints(skeleton, pose)[joint].translation();
+}
+
+double bone_length(const Skeleton& skeleton, const Pose& pose, int joint) {
+  return (place(skeleton, pose, joint) - place(skeleton, pose, skeleton.joints[joint].parent))
+      .norm();
+}
+
+TEST(History, UndoAndRedoLeadBackToTheSameStateByItsName) {
+  History history(figure());
+  EXPECT_FALSE(history.can_undo());
+  const long before = history.revision();
+  history.commit("Draw Hand L", with_contour(history.now(), 0, {3, circle({200, 200}, 20), ""}));
+  EXPECT_EQ(history.undo_name(), "Draw Hand L");
+  const long after = history.revision();
+  history.undo();
+  EXPECT_EQ(history.revision(), before);
+  EXPECT_TRUE(history.now().frames[0].contours.empty());
+  EXPECT_EQ(history.redo_name(), "Draw Hand L");
+  history.redo();
+  EXPECT_EQ(history.revision(), after);
+  EXPECT_EQ(history.now().frames[0].contours.size(), 1u);
+}
+
+TEST(History, AnEditAfterUndoDropsWhatWasUndone) {
+  History history(figure());
+  history.commit("one", figure());
+  const long one = history.revision();
+  history.undo();
+  history.commit("two", figure());
+  EXPECT_FALSE(history.can_redo());
+  EXPECT_NE(history.revision(), one);
+}
+
+TEST(History, AGestureIsOneStep) {
+  History history(figure());
+  history.commit("Move point", figure());
+  for (int i = 0; i < 100; ++i) history.amend(figure());
+  history.undo();
+  EXPECT_FALSE(history.can_undo());
+}
+
+TEST(Words, JointsAreReadAsPeopleCallThem) {
+  EXPECT_EQ(joint_words("upper_arm.L").name, "Upper arm");
+  EXPECT_EQ(joint_words("upper_arm.L").side, "L");
+  EXPECT_EQ(joint_words("head").whole(), "Head");
+  EXPECT_EQ(joint_words("").whole(), "");
+}
+
+TEST(Strokes, AStrokeThatEndsNearItsStartCloses) {
+  Polyline drawn = circle({100, 100}, 50);
+  drawn.points.pop_back();
+  const std::optional<Polyline> outline = outline_of_stroke(drawn.points, {});
+  ASSERT_TRUE(outline);
+  EXPECT_TRUE(outline->closed);
+  EXPECT_LT(outline->points.size(), 40u);
+  EXPECT_NEAR(std::abs(signed_area(*outline)), kPi * 50 * 50, 0.02 * kPi * 50 * 50);
+}
+
+TEST(Strokes, AStrokeThatEndsElsewhereStaysOpenAndKeepsItsEnds) {
+  const std::vector<Vec2> drawn = {{0, 0}, {50, 3}, {100, 0}};
+  const std::optional<Polyline> outline = outline_of_stroke(drawn, {});
+  ASSERT_TRUE(outline);
+  EXPECT_FALSE(outline->closed);
+  EXPECT_EQ(outline->points.front(), drawn.front());
+  EXPECT_LT((outline->points.back() - drawn.back()).norm(), 1e-9);
+}
+
+TEST(Strokes, ADotIsNoOutline) {
+  const std::vector<Vec2> dot = {{5, 5}, {5, 5}, {5.2, 5}};
+  EXPECT_FALSE(outline_of_stroke(dot, {}));
+}
+
+TEST(Cut, TheHalvesOverlapAndCoverTheWhole) {
+  const Polyline whole = circle({100, 100}, 50);
+  const auto halves = cut_outline(whole, {20, 101}, {180, 101}, 10);
+  ASSERT_TRUE(halves);
+  const double a = std::abs(signed_area(halves->first)), b = std::abs(signed_area(halves->second));
+  EXPECT_GT(a + b, std::abs(signed_area(whole)) * 1.05);
+  EXPECT_LT(a, std::abs(signed_area(whole)) * 0.7);
+  EXPECT_FALSE(self_crossing(halves->first));
+  EXPECT_FALSE(self_crossing(halves->second));
+}
+
+TEST(Cut, ALineThatDoesNotCrossTwiceCutsNothing) {
+  const Polyline whole = circle({100, 100}, 50);
+  EXPECT_FALSE(cut_outline(whole, {100, 100}, {180, 100}, 10));
+  EXPECT_FALSE(cut_outline(whole, {0, 0}, {180, 0}, 10));
+  EXPECT_FALSE(cut_outline(whole, {0, 0}, {0, 0}, 10));
+}
+
+TEST(Redraw, OnlyTheStretchBetweenTheStrokesEndsChanges) {
+  const Polyline whole = circle({100, 100}, 50);
+  const std::vector<Vec2> bulge = {{150, 100}, {160, 130}, {130, 160}, {100, 150}};
+  const Polyline redrawn = with_stretch_redrawn(whole, bulge);
+  EXPECT_GT(std::abs(signed_area(redrawn)), std::abs(signed_area(whole)));
+  EXPECT_FALSE(self_crossing(redrawn));
+  for (const Vec2& p : whole.points) {
+    if (p.y() > 99) continue;  // the far half stays
+    bool kept = false;
+    for (const Vec2& q : redrawn.points) kept = kept || p == q;
+    EXPECT_TRUE(kept);
+  }
+}
+
+TEST(Candidates, TheNearestBoneComesFirstItsMirrorImageToo) {
+  const Document document = figure();
+  const FrameCamera camera = frame_camera(document, 0);
+  const std::vector<Candidate> likely =
+      joint_candidates(document, 0, circle(camera.project({0.45, 1, 0}), 20));
+  ASSERT_FALSE(likely.empty());
+  EXPECT_EQ(likely[0].joint, 1);
+  bool mirrored = false;
+  for (const Candidate& candidate : likely) mirrored = mirrored || candidate.joint == 4;
+  EXPECT_TRUE(mirrored);
+}
+
+TEST(Contours, TheMirrorImageLiesOnTheOtherSide) {
+  Document document = figure();
+  const FrameCamera camera = frame_camera(document, 0);
+  document = with_contour(document, 0, {1, circle(camera.project({0.45, 1.1, 0}), 20), ""});
+  const std::optional<Document> both = with_contour_mirrored(document, 0, 0);
+  ASSERT_TRUE(both);
+  const Contour& copy = both->frames[0].contours[1];
+  EXPECT_EQ(copy.joint, 4);
+  const Vec2 middle = centroid(std::span(&copy.line, 1));
+  EXPECT_LT((middle - camera.project({-0.45, 1.1, 0})).norm(), 1e-6);
+}
+
+TEST(Contours, BehindAndInFrontStayWithinTheDrawing) {
+  Document document = figure();
+  document = with_contour(document, 0, {1, circle({50, 50}, 9), ""});
+  document = with_contour(document, 0, {2, circle({50, 50}, 9), ""});
+  EXPECT_EQ(with_contour_shifted(document, 0, 1, -1).frames[0].contours[0].joint, 2);
+  EXPECT_EQ(with_contour_shifted(document, 0, 0, -1).frames[0].contours[0].joint, 1);
+}
+
+TEST(Posing, ADraggedHandReachesItsTargetAndBonesKeepTheirLengths) {
+  const Document document = figure();
+  const Skeleton& skeleton = document.skeleton;
+  const Vec3 target(0.7, 1.5, 0.1);
+  const Pose pose = with_joint_at(skeleton, document.frames[0].pose, 3, target);
+  EXPECT_LT((place(skeleton, pose, 3) - target).norm(), 1e-3);
+  EXPECT_NEAR(bone_length(skeleton, pose, 2), 0.5, 1e-9);
+  EXPECT_NEAR(bone_length(skeleton, pose, 3), 0.5, 1e-9);
+  EXPECT_LT((place(skeleton, pose, 6) - Vec3(-1.2, 1, 0)).norm(), 1e-9);  // the other arm
+}
+
+TEST(Posing, BeyondItsReachTheLimbPointsThere) {
+  const Document document = figure();
+  const Skeleton& skeleton = document.skeleton;
+  const Pose pose = with_joint_at(skeleton, document.frames[0].pose, 3, {0.2, 9, 0});
+  EXPECT_LT((place(skeleton, pose, 3) - Vec3(0.2, 2, 0)).norm(), 0.01);
+}
+
+TEST(Posing, AFlippedBonePointsAwayAndShowsTheSame) {
+  const Document document = figure();
+  const Skeleton& skeleton = document.skeleton;
+  const Pose toward = with_joint_at(skeleton, document.frames[0].pose, 2, {0.5, 1, 0.4}, 1);
+  const Vec3 before = place(skeleton, toward, 2);
+  const Vec3 after = place(skeleton, with_bone_flipped(skeleton, toward, 2), 2);
+  EXPECT_LT((after - Vec3(before.x(), before.y(), -before.z())).norm(), 1e-9);
+}
+
+TEST(Posing, ATwistMovesNeitherEndOfTheBone) {
+  const Document document = figure();
+  const Skeleton& skeleton = document.skeleton;
+  const Pose bent = with_joint_at(skeleton, document.frames[0].pose, 3, {0.6, 1.6, 0});
+  const Pose twisted = with_bone_twisted(skeleton, bent, 2, 0.7);
+  EXPECT_LT((place(skeleton, twisted, 2) - place(skeleton, bent, 2)).norm(), 1e-9);
+  EXPECT_GT((place(skeleton, twisted, 3) - place(skeleton, bent, 3)).norm(), 0.05);
+}
+
+TEST(Skeletons, AMirrorPairStaysOne) {
+  const Document document = with_joint_offset(figure(), 2, {0.4, 0.1, 0.2});
+  EXPECT_EQ(document.skeleton.joints[5].offset, Vec3(-0.4, 0.1, 0.2));
+}
+
+TEST(Frames, CopyMoveAndRemoveKeepTheOthers) {
+  Document document = with_frame_copied(figure(), 0);
+  ASSERT_EQ(document.frames.size(), 2u);
+  EXPECT_EQ(document.frames[1].name, "front copy");
+  document = with_frame_moved(document, 1, 0);
+  EXPECT_EQ(document.frames[0].name, "front copy");
+  document = without_frame(document, 0);
+  ASSERT_EQ(document.frames.size(), 1u);
+  EXPECT_EQ(document.frames[0].name, "front");
+}
+
+TEST(Frames, ANewDrawingHasAPose) {
+  Frame blank;
+  blank.width = blank.height = 300;
+  const Document document = with_frame(figure(), blank);
+  EXPECT_EQ(int(document.frames[1].pose.rotations.size()), document.skeleton.size());
+}
+
+}  // namespace
+}  // namespace artisketch
