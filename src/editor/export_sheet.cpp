@@ -15,7 +15,7 @@ std::string bytes_in_words(std::size_t bytes) {
 }
 
 void export_sheet(Work& work, const Rect& place) {
-  static std::size_t chosen = 0;
+  std::size_t& chosen = work.view.export_format;
   const Theme& t = theme();
   Rect column = place;
   Rect head = column.cut_top(48).inset(16, 0);

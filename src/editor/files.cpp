@@ -40,6 +40,8 @@ void start_with(Work& work, Document document) {
   work.built.reset();
   work.proposal.reset();
   work.outline.reset();
+  work.gesture = {};
+  work.stroke.clear();
   View& view = work.view;
   view.welcome = false;
   view.mode = Mode::outline;
@@ -202,14 +204,19 @@ void unless_unsaved(Work& work, std::function<void()> then) {
   question.title = "Save your changes?";
   question.words = "Without saving, what you changed since the last time is lost.";
   question.answers = {{"Save", [&work, then] { save(work, false, then); }, true},
-                      {"Don't save", then},
+                      {"Don't save",
+                       [&work, then] {
+                         work.platform.store("autosave", "");
+                         work.autosaved = work.history.revision();
+                         then();
+                       }},
                       {"Cancel", {}}};
   work.question = std::move(question);
 }
 
 void autosave(Work& work) {
   constexpr double kQuiet = 1, kMost = 3;  // seconds: after the last change, and at most
-  static double first_change = -1;
+  double& first_change = work.unkept_since;
   const double now = ImGui::GetTime();
   if (work.history.revision() == work.autosaved || work.view.welcome) {
     first_change = -1;

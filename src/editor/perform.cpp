@@ -206,11 +206,13 @@ void perform(Work& work, Command command) {
       break;
     case Command::undo:
       work.history.undo();
+      work.gesture = {};  // what is still held begins anew
       work.changed_at = ImGui::GetTime();
       work.settle();
       break;
     case Command::redo:
       work.history.redo();
+      work.gesture = {};
       work.changed_at = ImGui::GetTime();
       work.settle();
       break;

@@ -124,7 +124,7 @@ void drawing_strip(Work& work, const Layout& layout) {
   const float width = layout.tablet ? 168 : slim ? 168 : 208;
   const int frames = int(work.document().frames.size());
   // Many drawings scroll with the wheel.
-  static float scroll = 0;
+  float& scroll = work.view.strip_scroll;
   const float add = layout.tablet ? 92 : 104;
   const float needed = (width + 8) * float(frames) + add;
   if (ImGui::IsWindowHovered()) scroll -= 60 * ImGui::GetIO().MouseWheel;

@@ -71,24 +71,15 @@ int contour_at(const Work& work, const OnScreen& on, ImVec2 p) {
 
 // ---------------------------------------------------------------- outlines
 
-// One gesture is one step of undo: the first move commits, the others amend.
-struct Gesture {
-  bool moved = false;
-  int point = -1, contour = -1, joint = -1;
-  Vec2 from = Vec2::Zero();
-  std::vector<Vec2> points;  // as the gesture found them
-};
-Gesture gesture;
-
 void change(Work& work, const std::string& name, Document next) {
-  if (gesture.moved) {
+  if (work.gesture.moved) {
     work.history.amend(std::move(next));
     work.changed_at = ImGui::GetTime();
     work.settle();
   } else {
     work.commit(name, std::move(next));
   }
-  gesture.moved = true;
+  work.gesture.moved = true;
 }
 
 void paint_points(const Polyline& line, const OnScreen& on, ImU32 colour, ImVec2 pointer) {
@@ -143,17 +134,17 @@ void edit_tool(Work& work, const Pointer& p, const OnScreen& on) {
     for (int i : ends) shown.points.push_back(contour.line.points[std::size_t(i)]);
     paint_points(shown, on, joint_tint(contour.joint), p.screen);
     if (p.pressed) {
-      gesture = {};
+      work.gesture = {};
       float best = kReach;
       for (int i : ends) {
         const float distance = apart(on.of(contour.line.points[std::size_t(i)]), p.screen);
-        if (distance < best) best = distance, gesture.point = i;
+        if (distance < best) best = distance, work.gesture.point = i;
       }
-      gesture.contour = view.contour;
-      gesture.from = p.at;
-      gesture.points = contour.line.points;
+      work.gesture.contour = view.contour;
+      work.gesture.from = p.at;
+      work.gesture.points = contour.line.points;
     }
-    if (p.double_clicked && gesture.point < 0) {
+    if (p.double_clicked && work.gesture.point < 0) {
       const OnLine place = nearest_on(contour.line, on, p.screen);
       if (place.distance < kReach) {
         std::vector<Vec2> points = contour.line.points;
@@ -164,17 +155,17 @@ void edit_tool(Work& work, const Pointer& p, const OnScreen& on) {
       }
     }
   } else if (p.pressed) {
-    gesture = {};
+    work.gesture = {};
   }
-  if (p.dragging && gesture.point >= 0 && gesture.contour == view.contour) {
+  if (p.dragging && work.gesture.point >= 0 && work.gesture.contour == view.contour) {
     const Polyline& line = work.frame().contours[std::size_t(view.contour)].line;
     // As far as the next handles.
     const double reach = 14 / on.zoom;
     change(work, "Move point",
-           with_contour_points(
-               work.document(), view.frame, view.contour,
-               dragged(line, gesture.points, gesture.point, p.at - gesture.from, reach)));
-  } else if (p.pressed && gesture.point < 0) {
+           with_contour_points(work.document(), view.frame, view.contour,
+                               dragged(line, work.gesture.points, work.gesture.point,
+                                       p.at - work.gesture.from, reach)));
+  } else if (p.pressed && work.gesture.point < 0) {
     view.contour = contour_at(work, on, p.screen);
     view.joint = view.contour >= 0 ? work.frame().contours[std::size_t(view.contour)].joint : -1;
   }
@@ -362,25 +353,25 @@ void pose_tool(Work& work, const Pointer& p, const OnScreen& on) {
   const FrameCamera camera = frame_camera(work.document(), work.view.frame);
   const std::vector<Transform> posed = posed_joints(skeleton, work.frame().pose);
   if (p.pressed) {
-    gesture = {};
-    gesture.joint = joint_at(posed, camera, on, p.screen);
-    work.view.joint = gesture.joint;
+    work.gesture = {};
+    work.gesture.joint = joint_at(posed, camera, on, p.screen);
+    work.view.joint = work.gesture.joint;
   }
-  if (p.dragging && gesture.joint >= 0) {
+  if (p.dragging && work.gesture.joint >= 0) {
     if (work.proposal) work.proposal.reset();
-    const Vec3 target = target_at(skeleton, posed, camera, gesture.joint, p.at);
-    const int parent = skeleton.joints[std::size_t(gesture.joint)].parent;
-    const std::string name = part_words(work, parent >= 0 ? parent : gesture.joint);
+    const Vec3 target = target_at(skeleton, posed, camera, work.gesture.joint, p.at);
+    const int parent = skeleton.joints[std::size_t(work.gesture.joint)].parent;
+    const std::string name = part_words(work, parent >= 0 ? parent : work.gesture.joint);
     change(work, parent >= 0 ? "Bend " + name : "Move body",
            with_pose(work.document(), work.view.frame,
-                     with_joint_at(skeleton, work.frame().pose, gesture.joint, target, 1)));
+                     with_joint_at(skeleton, work.frame().pose, work.gesture.joint, target, 1)));
   }
 }
 
 void twist_tool(Work& work, const Pointer& p, const OnScreen& on) {
   const Skeleton& skeleton = work.document().skeleton;
   if (p.pressed) {
-    gesture = {};
+    work.gesture = {};
     const FrameCamera camera = frame_camera(work.document(), work.view.frame);
     work.view.joint = joint_at(posed_joints(skeleton, work.frame().pose), camera, on, p.screen);
   }
@@ -401,12 +392,12 @@ void skeleton_tool(Work& work, const Pointer& p, const OnScreen& on) {
   const FrameCamera camera = frame_camera(work.document(), work.view.frame);
   const std::vector<Transform> posed = posed_joints(skeleton, work.frame().pose);
   if (p.pressed) {
-    gesture = {};
-    gesture.joint = joint_at(posed, camera, on, p.screen);
-    work.view.joint = gesture.joint;
+    work.gesture = {};
+    work.gesture.joint = joint_at(posed, camera, on, p.screen);
+    work.view.joint = work.gesture.joint;
   }
-  if (!p.dragging || gesture.joint < 0) return;
-  const int joint = gesture.joint, parent = skeleton.joints[std::size_t(joint)].parent;
+  if (!p.dragging || work.gesture.joint < 0) return;
+  const int joint = work.gesture.joint, parent = skeleton.joints[std::size_t(joint)].parent;
   const Ray ray = camera.ray(p.at);
   const double z = posed[std::size_t(joint)].translation().z();
   const Vec3 target = ray.at((z - ray.origin.z()) / ray.direction.z());

@@ -56,6 +56,15 @@ struct Layers {
   float drawing_opacity = 0.85f, model_opacity = 1;
 };
 
+// What the pointer holds on the canvas from press to release. One gesture is one step of undo: the
+// first move commits, the others amend.
+struct Gesture {
+  bool moved = false;
+  int point = -1, contour = -1, joint = -1;
+  Vec2 from = Vec2::Zero();
+  std::vector<Vec2> points;  // as the gesture found them
+};
+
 struct View {
   bool welcome = true;
   Mode mode = Mode::outline;
@@ -80,6 +89,8 @@ struct View {
   std::optional<Pose> posed;  // the result as the person dragged it
 
   bool exporting = false, all_drawings = false;
+  std::size_t export_format = 0;
+  float strip_scroll = 0;  // points
   bool dark = true;
   bool help = false;
 
@@ -128,10 +139,12 @@ struct Work {
   std::string name, place;        // of the file; empty before the first save
   long saved = 0, autosaved = 0;  // revisions
   double changed_at = 0;          // when the document changed last
+  double unkept_since = -1;       // when it first differed from what is kept for a crash
 
   std::shared_ptr<Built> built;
   std::optional<Proposal> proposal;
   std::optional<NewOutline> outline;
+  Gesture gesture;
   std::vector<Vec2> stroke;  // under the pointer, in the sketch's pixels
   JobRequest::Kind running = JobRequest::Kind::reconstruct;
   long running_revision = -1;
