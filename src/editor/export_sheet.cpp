@@ -74,7 +74,8 @@ void export_sheet(Work& work, const Rect& place) {
       write(row, Font::caption, t.muted, what);
     };
     line("Triangles", std::to_string(model.mesh.F.rows()));
-    line("Skeleton", std::to_string(model.skeleton.size()) + " joints");
+    line("Skeleton", std::to_string(model.skeleton.size()) +
+                         (model.skeleton.size() == 1 ? " joint" : " joints"));
     line("Weights", "4 per vertex, sum to 1");
     line("File", bytes_in_words(work.built->glb.size()));
   }

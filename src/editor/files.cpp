@@ -265,7 +265,7 @@ Result<std::string> as_picture(const Work& work) {
 }
 
 constexpr ExportFormat kFormats[] = {
-    {"GLB", "rigged, animated, for every 3D program", icon::kCubeSend, ".glb", as_glb},
+    {"GLB", "rigged and animated", icon::kCubeSend, ".glb", as_glb},
     {"PNG", "a picture from where you look", icon::kImageMultiple, ".png", as_picture},
 };
 

@@ -123,6 +123,7 @@ def reconstructs_and_cancels():
     window.wait(lambda: window.state()["mode"] == "result", why="the mode")
     window.picture("result")
     window.click("Export")
+    window.wait(lambda: any(w["label"] == "Format GLB" for w in window.widgets()), why="the sheet")
     window.picture("export")
     window.close()
 
