@@ -86,6 +86,27 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/theme.cpp
   src/editor/fonts.cpp
   src/editor/window.cpp
+  src/editor/ui.cpp
+  src/editor/commands.cpp
+  src/editor/drawings.cpp
+  src/editor/eye.cpp
+  src/editor/model_picture.cpp
+  src/editor/sketch_paint.cpp
+  src/editor/work.cpp
+  src/editor/files.cpp
+  src/editor/perform.cpp
+  src/editor/layout.cpp
+  src/editor/top_bar.cpp
+  src/editor/tool_rail.cpp
+  src/editor/canvas.cpp
+  src/editor/tools.cpp
+  src/editor/model_view.cpp
+  src/editor/inspector.cpp
+  src/editor/pose_panel.cpp
+  src/editor/export_sheet.cpp
+  src/editor/strip.cpp
+  src/editor/sheets.cpp
+  src/editor/welcome.cpp
   src/editor/editor.cpp
   "${embedded}/kInterRegular.cpp"
   "${embedded}/kInterSemiBold.cpp"

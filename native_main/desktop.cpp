@@ -198,7 +198,7 @@ std::vector<std::string> Desktop::examples() {
   std::vector<std::string> names;
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(examples_, ignored))
-    if (entry.path().extension() == ".glb") names.push_back(entry.path().stem().string());
+    names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   // The hero greets.
   std::stable_partition(names.begin(), names.end(),
@@ -207,9 +207,9 @@ std::vector<std::string> Desktop::examples() {
 }
 
 void Desktop::load_example(const std::string& name, std::function<void(Result<Example>)> then) {
-  const Result<NamedBytes> document = read_named((examples_ / (name + ".artisketch")).string());
+  const Result<NamedBytes> document = read_named((examples_ / name / (name + ".artisketch")).string());
   if (!document) return then(document.error());
-  const Result<std::string> glb = read_file((examples_ / (name + ".glb")).string());
+  const Result<std::string> glb = read_file((examples_ / name / (name + ".glb")).string());
   if (!glb) return then(glb.error());
   then(Example{document->bytes, *glb});
 }

@@ -15,7 +15,7 @@ namespace artisketch {
 
 class Desktop : public Platform {
  public:
-  // examples: folder of NAME.artisketch and NAME.glb.
+  // examples: folder of NAME/NAME.artisketch and NAME/NAME.glb.
   explicit Desktop(std::filesystem::path examples);
   ~Desktop() override;
 
