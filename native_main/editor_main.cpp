@@ -14,7 +14,7 @@ constexpr double kRest = 0.5;  // seconds between looks at the clock while nothi
 
 int run(const char* program, const char* document) {
   using namespace artisketch;
-  Result<Window> window = Window::open("ArtiSketch", 1440, 900);
+  Result<Window> window = Window::open("ArtiSketch", 1600, 1000);
   if (!window) {
     std::fprintf(stderr, "%s\n", window.error().text().c_str());
     return 1;

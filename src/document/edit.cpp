@@ -8,6 +8,11 @@ namespace artisketch {
 
 // ---------------------------------------------------------------- names
 
+std::string capitalised(std::string words) {
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = char(words[0] - 'a' + 'A');
+  return words;
+}
+
 JointWords joint_words(const std::string& name) {
   JointWords words{name, ""};
   const std::size_t size = name.size();
@@ -18,8 +23,13 @@ JointWords joint_words(const std::string& name) {
   }
   std::replace(words.name.begin(), words.name.end(), '_', ' ');
   std::replace(words.name.begin(), words.name.end(), '.', ' ');
-  if (words.name[0] >= 'a' && words.name[0] <= 'z') words.name[0] = char(words.name[0] - 'a' + 'A');
+  words.name = capitalised(std::move(words.name));
   return words;
+}
+
+std::string drawing_words(const Document& document, int frame) {
+  const std::string& name = document.frames.at(frame).name;
+  return name.empty() ? "Drawing " + std::to_string(frame + 1) : capitalised(name);
 }
 
 std::vector<int> parts_to_draw(const Document& document) {

@@ -14,6 +14,8 @@ namespace artisketch {
 
 // ---------------------------------------------------------------- names
 
+std::string capitalised(std::string words);
+
 // A joint's name as people read it, and its side apart: "upper_arm.L" → {"Upper arm", "L"}.
 struct JointWords {
   std::string name;
@@ -21,6 +23,9 @@ struct JointWords {
   std::string whole() const { return side.empty() ? name : name + " " + side; }
 };
 JointWords joint_words(const std::string& name);
+
+// A drawing's name as people read it: "front" → "Front"; its number where it has none.
+std::string drawing_words(const Document& document, int frame);
 
 // The joints whose parts are to be outlined: those that carry a contour anywhere; where none does,
 // all that have a child.

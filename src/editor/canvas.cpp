@@ -59,11 +59,12 @@ void paint_model(Work& work, const FrameCamera& camera, const OnScreen& on, cons
                  float pixel_ratio) {
   const std::vector<Clip>& clips = work.built->model.clips;
   if (clips.empty() || work.view.frame >= int(clips[0].poses.size())) return;
-  const Pose* pose = &clips[0].poses[std::size_t(work.view.frame)];
+  const Pose& pose = clips[0].poses[std::size_t(work.view.frame)];
   // In Pose the model stands as the person has it, so that what does not fit shows.
+  const Pose drawn = work.drawn_pose();
   const bool theirs =
-      work.view.mode == Mode::pose && work.drawn_pose().rotations.size() == pose->rotations.size();
-  work.built->picture->pose(work.built->model, theirs ? work.drawn_pose() : *pose, Vec3::Zero());
+      work.view.mode == Mode::pose && drawn.rotations.size() == pose.rotations.size();
+  work.built->picture->pose(work.built->model, theirs ? drawn : pose, Vec3::Zero());
   const Eye eye = sketch_eye(camera, on.origin, on.zoom, place);
   PaintOptions options;
   options.dark = theme().dark;
@@ -98,7 +99,7 @@ void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
     if (work.proposal) {
       BonesLook other;
       other.faint = true;
-      const Pose& faint = work.proposal->shown
+      const Pose& faint = work.proposal->shown != work.proposal->peeking
                               ? frame.pose
                               : work.proposal->document.frames[std::size_t(view.frame)].pose;
       paint_bones(draw(), work.document().skeleton, faint, camera, on, other);
@@ -111,11 +112,7 @@ void head(Work& work, const Layout& layout) {
   const Theme& t = theme();
   Rect row = layout.canvas_head;
   const int frames = int(work.document().frames.size());
-  const std::string title = work.has_frame() && !work.frame().name.empty()
-                                ? work.frame().name
-                                : "Drawing " + std::to_string(work.view.frame + 1);
-  std::string name = title;
-  if (name[0] >= 'a' && name[0] <= 'z') name[0] = char(name[0] - 'a' + 'A');
+  const std::string name = work.has_frame() ? drawing_words(work.document(), work.view.frame) : "";
   const std::string of = std::to_string(work.view.frame + 1) + " of " + std::to_string(frames);
   if (layout.tablet) {
     draw().AddRectFilled(row.min(), row.max(), faded(t.panel, 0.95f), kRadiusPanel);

@@ -83,6 +83,9 @@ void Editor::frame(float width, float height, float pixel_ratio) {
   advance(work);
   const bool asking = work.question || work.view.help;
   if (!asking) work.asked = pressed_commands();
+  if (work.proposal)
+    work.proposal->peeking =
+        ImGui::IsKeyDown(ImGuiKey_Space) && !ImGui::GetIO().WantTextInput && !asking;
 
   const Layout layout = lay_out(width, height, work.view);
   top_bar(work, layout);
@@ -113,7 +116,7 @@ void Editor::frame(float width, float height, float pixel_ratio) {
 
 bool Editor::wants_frame() const {
   const Work& work = parts_->work;
-  return work.view.playing || work.jobs.busy() || !work.toasts.empty() ||
+  return work.view.playing || work.jobs.busy() || !work.toasts.empty() || work.changing_pose() ||
          work.history.revision() != work.autosaved;
 }
 

@@ -22,8 +22,7 @@ void paint_mark(ImVec2 at, int joint, Fit fit) {
 }
 
 std::string fit_in_words(const Work& work, int joint, int frame) {
-  const Frame& there = work.document().frames[std::size_t(frame)];
-  const std::string name = there.name.empty() ? "drawing " + std::to_string(frame + 1) : there.name;
+  const std::string name = drawing_words(work.document(), frame);
   switch (fit_of(work, joint, frame)) {
     case Fit::missing:
       return "Missing in " + name;
@@ -168,7 +167,8 @@ void part_chips(Work& work, Rect place) {
   int outlined = 0;
   for (int joint : parts)
     outlined += work.has_frame() && fit_of(work, joint, work.view.frame) != Fit::missing;
-  const std::string title = "Parts" + (work.has_frame() ? " in " + work.frame().name : "");
+  const std::string title =
+      "Parts" + (work.has_frame() ? " in " + drawing_words(document, work.view.frame) : "");
   write(head.cut_left(text_width(Font::title, title) + 12), Font::title, t.text, title);
   write(head, Font::caption, t.muted,
         std::to_string(outlined) + " of " + std::to_string(parts.size()));

@@ -373,17 +373,18 @@ void ModelPicture::paint(const Model& model, const Eye& eye, const PaintOptions&
 }
 
 void show_picture(unsigned texture, const Rect& place, float opacity, ImVec2 uv0, ImVec2 uv1,
-                  ImU32 tint) {
+                  ImU32 tint, float radius) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCallback(
       [](const ImDrawList*, const ImDrawCmd*) { glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); },
       nullptr);
   // All four channels fade together: the colours carry their alpha already.
   const auto channel = [&](int shift) { return int(float(tint >> shift & 255) * opacity + 0.5f); };
-  list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(texture)), place.min(), place.max(),
-                uv0, uv1,
-                IM_COL32(channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT),
-                         channel(IM_COL32_B_SHIFT), channel(IM_COL32_A_SHIFT)));
+  list.AddImageRounded(reinterpret_cast<ImTextureID>(std::uintptr_t(texture)), place.min(),
+                       place.max(), uv0, uv1,
+                       IM_COL32(channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT),
+                                channel(IM_COL32_B_SHIFT), channel(IM_COL32_A_SHIFT)),
+                       radius);
   list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
 }
 

@@ -61,6 +61,6 @@ class ModelPicture {
 
 // Draws a texture with premultiplied alpha into the panel under way.
 void show_picture(unsigned texture, const Rect& place, float opacity, ImVec2 uv0 = {0, 0},
-                  ImVec2 uv1 = {1, 1}, ImU32 tint = IM_COL32_WHITE);
+                  ImVec2 uv1 = {1, 1}, ImU32 tint = IM_COL32_WHITE, float radius = 0);
 
 }  // namespace artisketch

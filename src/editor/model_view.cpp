@@ -7,10 +7,10 @@
 namespace artisketch {
 
 void show_model(Work& work, const Eye& eye, const PaintOptions& options, Picture& picture,
-                float opacity, float pixel_ratio) {
+                float opacity, float pixel_ratio, float radius) {
   work.built->picture->paint(work.built->model, eye, options, picture, pixel_ratio);
   // OpenGL's pictures begin at the bottom.
-  show_picture(picture.texture(), eye.place, opacity, {0, 1}, {1, 0});
+  show_picture(picture.texture(), eye.place, opacity, {0, 1}, {1, 0}, IM_COL32_WHITE, radius);
 }
 
 void look_at_model(Work& work) {
@@ -161,8 +161,7 @@ void head(Work& work, const Layout& layout) {
     std::snprintf(seconds, sizeof seconds, ", %.1f s", clip.times.empty() ? 0 : clip.times.back());
     about = view.posed ? "your pose" : clip.name + seconds;
   } else if (work.built && work.has_frame()) {
-    about = "posed as in " +
-            (work.frame().name.empty() ? std::to_string(view.frame + 1) : work.frame().name);
+    about = "posed as in " + drawing_words(work.document(), view.frame);
   }
   write(row, Font::caption, t.muted, about);
 }
@@ -199,9 +198,10 @@ void foot(const Work& work, const Rect& band) {
   write(row, Font::caption, good ? t.muted : t.warning, words);
 }
 
-void ground_shade(const Rect& place) {
+void ground_shade(const Rect& place, bool floating) {
   const Theme& t = theme();
   const ImU32 top = t.dark ? rgb(0x23262C) : rgb(0xEDEFF2), bottom = t.dark ? t.canvas : t.canvas;
+  if (floating) return;  // its corners are round: the panel's own ground
   draw().AddRectFilledMultiColor(place.min(), place.max(), top, top, bottom, bottom);
 }
 
@@ -225,7 +225,7 @@ void model_view(Work& work, const Layout& layout, float pixel_ratio) {
   const Panel panel("Model", place, t.canvas,
                     layout.tablet ? Panel::Layer::floating : Panel::Layer::base,
                     layout.tablet ? kRadiusPanel : 0);
-  ground_shade(place);
+  ground_shade(place, layout.tablet);
   if (!work.built) {
     nothing_yet(work, place);
     if (!layout.tablet) head(work, layout);
@@ -240,7 +240,7 @@ void model_view(Work& work, const Layout& layout, float pixel_ratio) {
   options.joint = work.view.joint;
   options.ground = true;
   options.dark = t.dark;
-  show_model(work, eye, options, work.model_seen, 1, pixel_ratio);
+  show_model(work, eye, options, work.model_seen, 1, pixel_ratio, layout.tablet ? kRadiusPanel : 0);
 
   std::vector<Vec3> joints;
   for (const Transform& joint : posed_joints(work.built->model.skeleton, pose))
@@ -256,6 +256,7 @@ void model_view(Work& work, const Layout& layout, float pixel_ratio) {
   paint_axes(eye,
              {place.right() - 38, layout.tablet ? place.bottom() - 40 : layout.view_foot.y - 16});
   if (layout.tablet) {
+    draw().AddRect(place.min(), place.max(), t.line, kRadiusPanel);
     write({place.x + 14, place.y + 10, 150, 18}, Font::caption_bold, t.text,
           work.view.mode == Mode::result ? "Model" : "Live model");
     return;

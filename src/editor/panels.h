@@ -39,7 +39,7 @@ void thumbnail(const Work& work, const Frame& frame, const Rect& place, bool out
 
 // The model as seen by an eye, in a panel.
 void show_model(Work& work, const Eye& eye, const PaintOptions& options, Picture& picture,
-                float opacity, float pixel_ratio);
+                float opacity, float pixel_ratio, float radius = 0);
 
 // Orbit round the whole model.
 void look_at_model(Work& work);

@@ -263,10 +263,7 @@ void perform(Work& work, Command command) {
       zoom_in_middle(view, 0.8f);
       break;
     case Command::play:
-      if (work.proposal && view.mode == Mode::pose)
-        work.proposal->shown = !work.proposal->shown;
-      else
-        toggle_play(work);
+      if (!(work.proposal && view.mode == Mode::pose)) toggle_play(work);  // there it compares
       break;
     case Command::fade:
       view.layer().drawing_opacity = view.layer().drawing_opacity > 0.5f ? 0.3f : 0.85f;
@@ -383,12 +380,13 @@ void take_calibration(Work& work, const JobResult& result) {
     next.frames[f].pose = calibrated->frames[f].pose;
     next.frames[f].scale = calibrated->frames[f].scale;
   }
-  work.proposal = Proposal{std::move(next),
-                           result.coverage,
-                           std::vector<bool>(std::size_t(work.document().skeleton.size()), true),
-                           true,
-                           ImGui::GetTime(),
-                           work.history.revision()};
+  Proposal proposal;
+  proposal.document = std::move(next);
+  proposal.coverage = result.coverage;
+  proposal.taken.assign(std::size_t(work.document().skeleton.size()), true);
+  proposal.since = ImGui::GetTime();
+  proposal.revision = work.history.revision();
+  work.proposal = std::move(proposal);
   if (work.view.mode != Mode::pose) set_mode(work, Mode::pose);
 }
 

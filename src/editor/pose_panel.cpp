@@ -19,8 +19,8 @@ double turned_by(const Pose& a, const Pose& b, int joint) {
 void proposal_card(Work& work, Rect& place) {
   const Theme& t = theme();
   Proposal& proposal = *work.proposal;
-  const Rect card = place.cut_top(172).inset(12, 0);
-  draw().AddRectFilled(card.min(), card.max(), t.control, kRadiusCard);
+  const Rect card = place.cut_top(158).inset(12, 0);
+  draw().AddRectFilled(card.min(), card.max(), t.panel, kRadiusCard);
   draw().AddRect(card.min(), card.max(), t.accent, kRadiusCard, 0, 1.5f);
   Rect column = card.inset(12);
   Rect head = column.cut_top(22);
@@ -99,7 +99,8 @@ void pose_panel(Work& work, Rect place) {
   const Theme& t = theme();
   Rect head = place.cut_top(48).inset(16, 0);
   write(head.cut_left(text_width(Font::title, "Pose") + 8), Font::title, t.text, "Pose");
-  if (work.has_frame()) write(head, Font::caption, t.muted, work.frame().name);
+  if (work.has_frame())
+    write(head, Font::caption, t.muted, drawing_words(work.document(), work.view.frame));
   if (work.proposal && work.has_frame()) {
     proposal_card(work, place);
     if (work.proposal) coverage_table(work, place);

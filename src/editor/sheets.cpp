@@ -167,7 +167,7 @@ void toasts(Work& work, const Layout& layout) {
   const Theme& t = theme();
   constexpr double kSeconds = 6;
   const double now = ImGui::GetTime();
-  float bottom = layout.strip.y - 12;
+  float bottom = (layout.tablet ? layout.inspector.y : layout.strip.y) - 12;
   for (std::size_t i = 0; i < work.toasts.size();) {
     Toast& toast = work.toasts[i];
     if (toast.since < 0) toast.since = now;
@@ -182,7 +182,7 @@ void toasts(Work& work, const Layout& layout) {
     const float most = layout.canvas.w - 24 - actions - 60;
     const float text = std::min(text_width(Font::body, toast.words), std::max(120.0f, most));
     const int lines =
-        std::max(1, int(std::ceil(text_width(Font::body, toast.words) / text * 1.02f)));
+        std::max(1, int(std::ceil(text_width(Font::body, toast.words) / text - 0.02f)));
     const float high = 24 + 20 * float(lines);
     const Rect place{layout.rail.w > 0 && !layout.tablet ? layout.rail.right() + 12 : 12,
                      bottom - high, 24 + 22 + text + 12 + actions + 34, high};

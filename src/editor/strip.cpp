@@ -60,13 +60,11 @@ void drawing_menu(Work& work, int f) {
   ImGui::EndPopup();
 }
 
-void card(Work& work, int f, const Rect& place, bool slim) {
+void card(Work& work, int f, const Rect& place, bool slim, bool narrow) {
   const Theme& t = theme();
-  const Frame& frame = work.document().frames[std::size_t(f)];
   const bool on = f == work.view.frame;
   const std::string number = std::to_string(f + 1);
-  std::string name = frame.name.empty() ? "Drawing" : frame.name;
-  if (name[0] >= 'a' && name[0] <= 'z') name[0] = char(name[0] - 'a' + 'A');
+  const std::string name = drawing_words(work.document(), f);
   const Press press = press_area("Drawing card " + number, place, true, on);
   if (press.clicked) {
     work.view.frame = f;
@@ -90,8 +88,8 @@ void card(Work& work, int f, const Rect& place, bool slim) {
     write(title.cut_left(text_width(Font::body, number) + 7), Font::body, on ? t.accent : t.muted,
           number);
   write(title, Font::body_bold, t.text, name);
-  const std::string parts =
-      std::to_string(c.outlined) + " of " + std::to_string(c.all) + (slim ? "" : " parts");
+  const std::string parts = std::to_string(c.outlined) + " of " + std::to_string(c.all) +
+                            (slim || narrow ? "" : " parts");
   write(row.cut_top(line), Font::caption, t.muted, parts);
   if (slim) return;
   Rect mark = row.cut_top(line);
@@ -100,11 +98,13 @@ void card(Work& work, int f, const Rect& place, bool slim) {
     write_icon(at, IconSize::small, t.warning, icon::kAlert);
     mark.cut_left(18);
     write(mark, Font::caption, t.warning,
-          std::to_string(c.off) + (c.off == 1 ? " part off" : " parts off"));
+          std::to_string(c.off) + (narrow       ? " off"
+                                   : c.off == 1 ? " part off"
+                                                : " parts off"));
   } else if (f == 0) {
     write_icon(at, IconSize::small, t.muted, icon::kCheck);
     mark.cut_left(18);
-    write(mark, Font::caption, t.muted, "reference pose");
+    write(mark, Font::caption, t.muted, narrow ? "reference" : "reference pose");
   } else if (work.built && f < int(work.built->fits.size())) {
     write_icon(at, IconSize::small, t.muted, icon::kCheck);
     mark.cut_left(18);
@@ -131,7 +131,7 @@ void drawing_strip(Work& work, const Layout& layout) {
   scroll = std::clamp(scroll, 0.0f, std::max(0.0f, needed - row.w));
   row.x -= scroll;
   for (int f = 0; f < frames && f < int(work.document().frames.size()); ++f) {
-    card(work, f, {row.x, row.y, width, row.h}, slim);
+    card(work, f, {row.x, row.y, width, row.h}, slim, layout.tablet);
     row.x += width + 8;
   }
   const Rect more{row.x, row.y, add, row.h};

@@ -1,3 +1,4 @@
+#include "document/edit.h"
 #include "editor/panels.h"
 
 namespace artisketch {
@@ -29,7 +30,7 @@ std::string stage_in_words(const Work& work) {
   if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = char(words[0] - 'a' + 'A');
   if (progress.parts > 1)
     words = "Part " + std::to_string(progress.part + 1) + " of " + std::to_string(progress.parts);
-  if (!progress.item.empty()) words += ", " + progress.item;
+  if (!progress.item.empty()) words += ", " + joint_words(progress.item).whole();
   return words.empty() ? "Starting" : words;
 }
 
@@ -119,7 +120,7 @@ void top_bar(Work& work, const Layout& layout) {
     command_button(work, Command::export_model, row.cut_right(92).middle(92, high), exporting);
     row.cut_right(8);
     const bool busy = work.jobs.busy();
-    const float make_width = busy            ? (layout.tablet ? 220.0f : 260.0f)
+    const float make_width = busy            ? (layout.tablet ? 220.0f : 232.0f)
                              : layout.tablet ? 136.0f
                                              : 124.0f;
     const Rect make = row.cut_right(make_width).middle(make_width, high);

@@ -1,6 +1,7 @@
 // The first screen: the hero moves, its drawings light up in step; how it is done; what to open.
 #include <cmath>
 
+#include "document/edit.h"
 #include "editor/actions.h"
 #include "editor/panels.h"
 
@@ -11,17 +12,16 @@ void drawings_beside(Work& work, Rect column) {
   const Theme& t = theme();
   const int frames = int(work.document().frames.size());
   const double duration = 1;  // seconds per key of the clip
+  const float size = std::min(132.0f, (column.h + 12) / float(std::max(1, frames)) - 12);
   const int lit = int(std::lround(work.view.time / duration));
   for (int f = 0; f < frames; ++f) {
     const Frame& frame = work.document().frames[std::size_t(f)];
-    const float size = std::min(132.0f, (column.h + 12) / float(frames) - 12);
     const Rect card = Rect{column.x, column.y, size, size};
     column.cut_top(size + 12);
     thumbnail(work, frame, card);
     draw().AddRect(card.min(), card.max(), f == lit ? t.accent : t.line, kRadius, 0,
                    f == lit ? 2.5f : 1.0f);
-    std::string name = frame.name;
-    if (!name.empty() && name[0] >= 'a') name[0] = char(name[0] - 'a' + 'A');
+    const std::string name = drawing_words(work.document(), f);
     write({card.x + 8, card.bottom() - 20, card.w - 12, 16}, Font::small, rgb(0x1C2025), name);
   }
 }
@@ -107,8 +107,7 @@ void gallery(Work& work, const Rect& place) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Rect card = column.cut_left(width);
     column.cut_left(12);
-    std::string name = names[i];
-    name[0] = char(name[0] >= 'a' ? name[0] - 'a' + 'A' : name[0]);
+    const std::string name = capitalised(names[i]);
     const bool on = i == 0;
     const Press press = press_area("Example " + name, card);
     draw().AddRectFilled(card.min(), card.max(), press.hovered ? t.hover : t.control, kRadiusCard);
@@ -149,8 +148,7 @@ void welcome(Work& work, const Layout& layout, float pixel_ratio) {
             std::clamp(work.view.orbit.pitch + 0.01 * ImGui::GetIO().MouseDelta.y, -1.5, 1.5);
       }
       Rect head = all.inset(24, 0).cut_top(60);
-      std::string name = work.document().name;
-      if (!name.empty() && name[0] >= 'a') name[0] = char(name[0] - 'a' + 'A');
+      const std::string name = capitalised(work.document().name);
       write(head.cut_left(text_width(Font::title, name) + 10), Font::title, t.text, name);
       const int count = int(work.document().frames.size());
       const char* numbers[] = {"no", "one drawing", "two drawings", "three drawings",

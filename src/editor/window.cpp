@@ -1,5 +1,6 @@
 #include "editor/window.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <GLES3/gl3.h>
@@ -27,6 +28,11 @@ Result<Window> Window::open(const std::string& title, int width, int height) {
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
   SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
 
+  SDL_Rect screen;
+  if (SDL_GetDisplayUsableBounds(0, &screen) == 0) {
+    width = std::min(width, screen.w);
+    height = std::min(height, screen.h);
+  }
   Window window;
   window.window_ =
       SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
@@ -50,7 +56,8 @@ Window::Window(Window&& other) noexcept
     : on_drop(std::move(other.on_drop)),
       window_(std::exchange(other.window_, nullptr)),
       context_(std::exchange(other.context_, nullptr)),
-      stirred_(other.stirred_) {}
+      stirred_(other.stirred_),
+      pointer_(other.pointer_) {}
 
 Window::~Window() {
   if (context_ && ImGui::GetCurrentContext()) {
@@ -71,6 +78,9 @@ bool Window::take_events(double seconds) {
     stirred_ = true;
     ImGui_ImplSDL2_ProcessEvent(&event);
     if (event.type == SDL_QUIT) open = false;
+    if (event.type == SDL_MOUSEMOTION) pointer_ = {float(event.motion.x), float(event.motion.y)};
+    if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_LEAVE)
+      pointer_.reset();
     if (event.type == SDL_DROPFILE) {
       if (on_drop) on_drop(event.drop.file);
       SDL_free(event.drop.file);
@@ -88,6 +98,9 @@ void Window::draw(Editor& editor) {
   if (fit_fonts(ratio)) ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplSDL2_NewFrame();
+  // The back end asks SDL for the pointer on the whole screen, which goes stale on X servers that
+  // send no raw events (VNC, Xvfb).
+  if (pointer_) ImGui::GetIO().AddMousePosEvent(pointer_->first, pointer_->second);
   ImGui::NewFrame();
   editor.frame(float(width), float(height), ratio);
   ImGui::Render();

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "base/result.h"
 
@@ -35,6 +37,7 @@ class Window {
   SDL_Window* window_ = nullptr;
   void* context_ = nullptr;
   bool stirred_ = true;
+  std::optional<std::pair<float, float>> pointer_;  // where it is over the window
 };
 
 }  // namespace artisketch

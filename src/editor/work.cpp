@@ -99,9 +99,20 @@ Vec3 Work::shown_footing() const {
   return built->footing[0][std::min(std::size_t(view.frame), built->footing[0].size() - 1)];
 }
 
-const Pose& Work::drawn_pose() const {
-  if (proposal && proposal->shown) return proposal->document.frames[std::size_t(view.frame)].pose;
-  return frame().pose;
+namespace {
+constexpr double kCalibrating = 0.6;  // seconds from the person's pose to the calibrated one
+}
+
+bool Work::changing_pose() const {
+  return proposal && ImGui::GetTime() < proposal->since + kCalibrating;
+}
+
+Pose Work::drawn_pose() const {
+  const Pose& mine = frame().pose;
+  if (!proposal || proposal->shown == proposal->peeking) return mine;
+  const Pose& theirs = proposal->document.frames[std::size_t(view.frame)].pose;
+  const double t = std::clamp((ImGui::GetTime() - proposal->since) / kCalibrating, 0.0, 1.0);
+  return pose_at({"", {0, 1}, {mine, theirs}}, t * t * (3 - 2 * t));
 }
 
 double distance_of(const Work& work, int joint, int frame) {

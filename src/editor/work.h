@@ -46,7 +46,8 @@ struct Proposal {
   std::vector<PartCoverage> coverage;
   std::vector<bool> taken;  // per joint
   bool shown = true;        // the calibrated pose rather than the person's own
-  double since = 0;         // when it arrived: the change is animated
+  bool peeking = false;     // the other one, as long as a key is held
+  double since = 0;         // when it was shown: the change is animated
   long revision = -1;
 };
 
@@ -160,7 +161,8 @@ struct Work {
   Pose shown_pose() const;
   Vec3 shown_footing() const;
   // Poses of the drawing as the canvas shows them: the person's, or the proposal's.
-  const Pose& drawn_pose() const;
+  Pose drawn_pose() const;
+  bool changing_pose() const;  // the proposal's animation is under way
 };
 
 // How a part fits a drawing.
