@@ -18,9 +18,16 @@ function(artisketch_web_module name begin environment)
     $<$<VERSION_GREATER_EQUAL:${EMSCRIPTEN_VERSION},3.1.27>:-sSTACK_SIZE=5MB>)
 endfunction()
 
+# Small where it isn't slow: the interface, and the reading and writing of files.
+target_compile_options(artisketch_editor PRIVATE -Os)
+target_compile_options(artisketch_imgui PRIVATE -Os)
+file(GLOB files CONFIGURE_DEPENDS src/files/*.cpp)
+set_source_files_properties(${files} src/app/cli.cpp src/app/job_bytes.cpp web/page_main.cpp
+  web/browser.cpp PROPERTIES COMPILE_OPTIONS -Os)
+
 artisketch_web_module(editor createEditor web web/page_main.cpp web/browser.cpp)
 target_link_libraries(editor PRIVATE artisketch_editor artisketch::json)
-target_link_options(editor PRIVATE -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2)
+target_link_options(editor PRIVATE -Os -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2)
 artisketch_web_module(core createCore worker web/worker_main.cpp)
 
 # The examples as the page shows them at once: drawings inside, the model made. The first greets.
