@@ -24,11 +24,11 @@ SeenRay::SeenRay(const FrameCamera& camera, const Vec3& origin, const Vec3& dire
   b_ = Vec2(s * direction.x(), -s * direction.y());
 }
 
-double RaySearch::sum(double t) const {
+double RaySearch::sum_up_to(double enough, double t) const {
   double total = 0;
-  for (std::size_t v = 0; v < rays.size(); ++v) {
+  for (std::size_t v = 0; v < rays.size() && total < enough; ++v) {
     if (!rays[v].in_front(t)) return kNever;
-    const double sd = outlines[v]->distance(rays[v].pixel(t)) + inset;
+    const double sd = outlines[v]->distance(rays[v].pixel(t));
     if (sd > 0) total += sd * sd;
   }
   return total;
@@ -40,7 +40,7 @@ double RaySearch::sum(double t, double& half_slope) const {
   for (std::size_t v = 0; v < rays.size(); ++v) {
     if (!rays[v].in_front(t)) return kNever;
     Vec2 along, gradient;
-    const double sd = outlines[v]->distance(rays[v].pixel(t, along), gradient) + inset;
+    const double sd = outlines[v]->distance(rays[v].pixel(t, along), gradient);
     if (sd <= 0) continue;
     total += sd * sd;
     half_slope += sd * gradient.dot(along);
@@ -55,7 +55,7 @@ double RaySearch::best_depth(double reach, double& least) const {
   // From the middle outward: most rays find their part there.
   for (int i = 0; i < kSamples && least > 0; ++i) {
     const double t = step * ((i + 1) / 2) * (i % 2 ? 1 : -1);
-    const double value = sum(t);
+    const double value = sum_up_to(least, t);
     if (value < least) {
       least = value;
       at = t;

@@ -32,7 +32,6 @@ class SeenRay {
 
 // One ray against all other silhouettes of its part.
 struct RaySearch {
-  double inset = 0;  // pixels by which the silhouettes are shrunk
   std::vector<SeenRay> rays;
   std::vector<const SampledDistance*> outlines;  // of the same views
 
@@ -43,7 +42,7 @@ struct RaySearch {
 
  private:
   double sum(double t, double& half_slope) const;
-  double sum(double t) const;
+  double sum_up_to(double enough, double t) const;  // at least `enough` where it's more than that
 };
 
 }  // namespace artisketch
