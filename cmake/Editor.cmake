@@ -116,6 +116,6 @@ target_link_libraries(artisketch_editor PUBLIC artisketch_core artisketch_imgui
                       PRIVATE artisketch_warnings)
 
 if(NOT EMSCRIPTEN)
-  add_executable(artisketch-editor EXCLUDE_FROM_ALL native_main/editor_main.cpp native_main/desktop.cpp)
-  target_link_libraries(artisketch-editor PRIVATE artisketch_editor artisketch_warnings)
+  add_executable(artisketch-editor EXCLUDE_FROM_ALL native_main/editor_main.cpp native_main/desktop.cpp native_main/script.cpp)
+  target_link_libraries(artisketch-editor PRIVATE artisketch_editor artisketch::json artisketch_warnings)
 endif()

@@ -207,7 +207,8 @@ std::vector<std::string> Desktop::examples() {
 }
 
 void Desktop::load_example(const std::string& name, std::function<void(Result<Example>)> then) {
-  const Result<NamedBytes> document = read_named((examples_ / name / (name + ".artisketch")).string());
+  const Result<NamedBytes> document =
+      read_named((examples_ / name / (name + ".artisketch")).string());
   if (!document) return then(document.error());
   const Result<std::string> glb = read_file((examples_ / name / (name + ".glb")).string());
   if (!glb) return then(glb.error());

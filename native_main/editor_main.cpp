@@ -1,18 +1,20 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
-#include <thread>
 
 #include "app/job_thread.h"
 #include "desktop.h"
 #include "editor/editor.h"
 #include "editor/window.h"
+#include "script.h"
 
 namespace {
 
-constexpr double kRest = 0.5;  // seconds between looks at the clock while nothing moves
+constexpr double kRest = 0.5;  // seconds between looks round while nothing moves
 
-int run(const char* program, const char* document) {
+int run(const char* program, const char* document, bool scripted) {
   using namespace artisketch;
   Result<Window> window = Window::open("ArtiSketch", 1600, 1000);
   if (!window) {
@@ -32,12 +34,14 @@ int run(const char* program, const char* document) {
   };
   window->on_drop = open;
   if (document) open(document);
+  std::optional<Script> script;
+  if (scripted) script.emplace(desktop);
 
-  int due = 3;  // frames: widgets settle, tooltips appear and hover fades in the frames after
+  int due = 3;  // frames: widgets settle and hover shows in the frames after an event
   bool closing = false;
   while (!closing) {
-    const bool moving = due > 0 || editor.wants_frame();
-    if (!window->take_events(moving ? 0 : kRest)) closing = editor.close();
+    const double rest = due > 0 ? 0 : std::clamp(editor.next_frame_in(), 0.0, kRest);
+    if (!window->take_events(rest)) closing = editor.close();
     desktop.deliver();
     if (window->stirred()) due = 3;
     if (due > 0 || editor.wants_frame()) {
@@ -45,6 +49,7 @@ int run(const char* program, const char* document) {
       --due;
     }
     if (editor.closed()) closing = true;
+    if (script) closing = script->answer(editor) || closing;
   }
   return 0;
 }
@@ -52,9 +57,22 @@ int run(const char* program, const char* document) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc > 2) {
-    std::fprintf(stderr, "usage: artisketch-editor [DOCUMENT]\n");
+  const char* document = nullptr;
+  bool scripted = false, bad = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--script")
+      scripted = true;
+    else if (!document && !argument.starts_with("--"))
+      document = argv[i];
+    else
+      bad = true;
+  }
+  if (bad) {
+    std::fprintf(stderr,
+                 "usage: artisketch-editor [--script] [DOCUMENT]\n"
+                 "  --script  answers questions on standard input (native_main/script.h)\n");
     return 2;
   }
-  return run(argv[0], argc == 2 ? argv[1] : nullptr);
+  return run(argv[0], document, scripted);
 }

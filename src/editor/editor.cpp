@@ -1,5 +1,8 @@
 #include "editor/editor.h"
 
+#include <chrono>
+#include <utility>
+
 #include <imgui.h>
 
 #include "editor/actions.h"
@@ -12,6 +15,7 @@ struct Editor::Parts {
   std::vector<Widget> widgets;
   std::string message;
   bool begun = false;
+  std::chrono::steady_clock::time_point drawn_at{};
 
   Parts(Platform& platform, Jobs& jobs) : work(platform, jobs) {
     View& view = work.view;
@@ -73,6 +77,7 @@ void advance(Work& work) {
 
 void Editor::frame(float width, float height, float pixel_ratio) {
   Work& work = parts_->work;
+  parts_->drawn_at = std::chrono::steady_clock::now();
   if (!parts_->begun) greet(work);
   if (!parts_->begun) offer_recovery(work);
   parts_->begun = true;
@@ -114,10 +119,15 @@ void Editor::frame(float width, float height, float pixel_ratio) {
                           unsaved());
 }
 
-bool Editor::wants_frame() const {
+double Editor::next_frame_in() const {
+  constexpr double kSmooth = 1.0 / 60, kSeldom = 1.0 / 20, kNever = 1e9;
   const Work& work = parts_->work;
-  return work.view.playing || work.jobs.busy() || !work.toasts.empty() || work.changing_pose() ||
-         work.history.revision() != work.autosaved;
+  double interval = kNever;
+  if (work.jobs.busy() || !work.toasts.empty() || work.history.revision() != work.autosaved)
+    interval = kSeldom;
+  if (work.view.playing || work.changing_pose()) interval = kSmooth;
+  const std::chrono::duration<double> since = std::chrono::steady_clock::now() - parts_->drawn_at;
+  return interval - since.count();
 }
 
 const std::vector<Widget>& Editor::widgets() const {

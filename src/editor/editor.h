@@ -53,8 +53,10 @@ class Editor {
 
   // Draws the whole window; size in points.
   void frame(float width, float height, float pixel_ratio);
-  // Whether something moves or waits, so that another frame is due without input.
-  bool wants_frame() const;
+  // Seconds until another frame is due without input: nothing moves, nothing is drawn. A job's
+  // progress is drawn seldom enough to leave the processor to the job.
+  double next_frame_in() const;
+  bool wants_frame() const { return next_frame_in() <= 0; }
 
   const std::vector<Widget>& widgets() const;
   EditorState state() const;
