@@ -1,5 +1,6 @@
 // The whole of it, as the paper's section 1.3 tells it: calibrate the poses, reconstruct every
 // part, make them one skin, bind that to the skeleton.
+#include "base/blocking.h"
 #include "model/mirror.h"
 #include "model/stage_clock.h"
 #include "model/stages.h"
@@ -15,6 +16,7 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& from) 
 
 Result<Reconstruction> reconstruct(const Document& document, const PipelineOptions& options,
                                    Run& run) {
+  fix_blocking();
   Reconstruction out;
   StageClock stages(run, out.stages);
   out.calibrated = document;

@@ -5,6 +5,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "base/trigonometry.h"
+
 namespace artisketch {
 namespace {
 
@@ -19,7 +21,9 @@ Mat3 cross_matrix(const Vec3& v) {
 
 Quat rotation(const Vec3& v) {
   const double angle = v.norm();
-  return angle > 0 ? Quat(Eigen::AngleAxisd(angle, v / angle)) : Quat::Identity();
+  if (angle == 0) return Quat::Identity();
+  const Vec3 axis = v / angle * sine(angle / 2);
+  return {cosine(angle / 2), axis.x(), axis.y(), axis.z()};
 }
 
 // exp(v + d) ≈ exp(J d) exp(v): the left Jacobian of the rotation vector.
@@ -27,8 +31,8 @@ Mat3 left_jacobian(const Vec3& v) {
   const double angle = v.norm();
   const Mat3 K = cross_matrix(v);
   if (angle < 1e-4) return Mat3::Identity() + K / 2 + K * K / 6;
-  return Mat3::Identity() + K * ((1 - std::cos(angle)) / (angle * angle)) +
-         K * K * ((angle - std::sin(angle)) / (angle * angle * angle));
+  return Mat3::Identity() + K * ((1 - cosine(angle)) / (angle * angle)) +
+         K * K * ((angle - sine(angle)) / (angle * angle * angle));
 }
 
 // Just inside, so that rounding on the way to a quaternion and back stays within the limit.
