@@ -19,13 +19,6 @@ Mat3 cross_matrix(const Vec3& v) {
   return m;
 }
 
-Quat rotation(const Vec3& v) {
-  const double angle = v.norm();
-  if (angle == 0) return Quat::Identity();
-  const Vec3 axis = v / angle * sine(angle / 2);
-  return {cosine(angle / 2), axis.x(), axis.y(), axis.z()};
-}
-
 // exp(v + d) ≈ exp(J d) exp(v): the left Jacobian of the rotation vector.
 Mat3 left_jacobian(const Vec3& v) {
   const double angle = v.norm();
@@ -47,6 +40,13 @@ Vec3 clamped(const Vec3& v, double bound) {
 
 }  // namespace
 
+Quat rotation_by(const Vec3& v) {
+  const double angle = v.norm();
+  if (angle == 0) return Quat::Identity();
+  const Vec3 axis = v / angle * sine(angle / 2);
+  return {cosine(angle / 2), axis.x(), axis.y(), axis.z()};
+}
+
 PoseChange no_change(const Document& document) {
   FrameChange none;
   none.rotation.assign(document.skeleton.size(), Vec3::Zero());
@@ -57,7 +57,7 @@ Pose changed(const Pose& pose, const FrameChange& change) {
   Pose moved = pose;
   for (std::size_t j = 0; j < moved.rotations.size(); ++j)
     if (!change.rotation[j].isZero(0))
-      moved.rotations[j] = (pose.rotations[j] * rotation(change.rotation[j])).normalized();
+      moved.rotations[j] = (pose.rotations[j] * rotation_by(change.rotation[j])).normalized();
   moved.root_position += change.translation;
   return moved;
 }

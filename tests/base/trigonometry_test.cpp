@@ -37,5 +37,14 @@ TEST(Trigonometry, TheSameBitsEverywhere) {
   EXPECT_EQ(sine(123.456), -0x1.9b9dadc41aeb6p-1);
 }
 
+TEST(Trigonometry, ArctangentIsTheSystemsWithinItsLastPlaces) {
+  for (int i = 0; i < 4000; ++i) {
+    const double angle = (i - 2000) * 0.0015707, length = std::exp((i % 41) - 20.0);
+    const double x = length * std::cos(angle), y = length * std::sin(angle);
+    EXPECT_NEAR(arctangent(y, x), std::atan2(y, x), 4e-16 * (1 + std::abs(angle))) << angle;
+  }
+  EXPECT_EQ(arctangent(0, 0), 0);
+}
+
 }  // namespace
 }  // namespace artisketch
