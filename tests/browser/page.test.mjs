@@ -93,10 +93,11 @@ for (const [where, url] of [['a static server', () => site.url], ['disk', () => 
     const shown = await editor.frames();
     await editor.click('Cancel');
     const state = await editor.until((now) => !now.busy);
-    // Three frames, where a machine without graphics takes longer over those than 0.3 s.
+    // The pointer comes, presses and lets go, each in a frame of its own: where a machine without
+    // graphics takes longer than 0.3 s over those, no frame more may pass than they and the answer take.
     const frames = await editor.frames() - shown;
     t.diagnostic(`cancelled in ${Date.now() - asked} ms, ${frames} frames`);
-    assert.ok(Date.now() - asked < 300 || frames <= 4, `cancelled after ${frames} frames`);
+    assert.ok(Date.now() - asked < 300 || frames <= 8, `cancelled after ${frames} frames`);
     assert.ok(state.hasModel, 'the old model stays');
 
     await editor.click('Reconstruct');
