@@ -39,12 +39,13 @@ foreach(name IN LISTS examples)
   set(folder "${PROJECT_SOURCE_DIR}/assets/examples/${name}")
   set(packed "${CMAKE_BINARY_DIR}/examples/${name}")
   file(GLOB drawings CONFIGURE_DEPENDS "${folder}/*.png")
-  # The core just built makes the models: the same that the worker would make.
+  # The core just built makes the models: those that the worker would make, in fewer triangles, since
+  # they are a good part of what the page loads.
   add_custom_command(OUTPUT "${packed}.artisketch" "${packed}.glb" VERBATIM
     COMMAND "${ARTISKETCH_NODE}" "${PROJECT_SOURCE_DIR}/web/pack.mjs" "${folder}/${name}.artisketch"
             "${packed}.artisketch"
     COMMAND "${ARTISKETCH_NODE}" --no-experimental-fetch $<TARGET_FILE:artisketch> reconstruct
-            "${folder}/${name}.artisketch" -o "${packed}.glb" --grid 64 --quiet
+            "${folder}/${name}.artisketch" -o "${packed}.glb" --grid 64 --triangles 8000 --quiet
     DEPENDS artisketch web/pack.mjs "${folder}/${name}.artisketch" ${drawings}
     COMMENT "Making the example ${name}")
   list(APPEND made "${packed}.artisketch" "${packed}.glb")
