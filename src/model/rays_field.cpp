@@ -1,7 +1,6 @@
 #include "model/rays_field.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "model/agreement.h"
 #include "model/inflate.h"
@@ -39,14 +38,20 @@ Result<RaysField> rays_field(const Part& part, const RaysFieldOptions& options, 
     }
   }
   for (RayRim& rim : out.rims) choose_depths(*carving, box, rim);
-  std::optional<HermiteSurface> f;
-  for (int pass = 0; pass <= options.refits; ++pass) {
+  // The depths are sought on looser and coarser surfaces, which don't fold to pass through points
+  // whose depths are still wrong.
+  constexpr double kLooser = 10;
+  constexpr int kCoarser = 2;
+  HermiteOptions rough = options.surface;
+  rough.value_ridge *= kLooser;
+  for (int pass = 0; pass < options.refits; ++pass) {
     if (run.cancelled()) return cancelled();
-    if (f)
-      for (RayRim& rim : out.rims) detect_depths(*carving, box, *f, rim);
-    f.emplace(surface_points(*carving, out.rims), options.surface);
+    const HermiteSurface f(surface_points(*carving, out.rims, kCoarser), rough);
+    for (RayRim& rim : out.rims) detect_depths(*carving, box, f, rim);
   }
-  raise(*f, 3 * out.distance.cell, out.distance);
+  if (run.cancelled()) return cancelled();
+  const HermiteSurface f(surface_points(*carving, out.rims), options.surface);
+  raise(f, 3 * out.distance.cell, out.distance);
   for (const RayRim& rim : out.rims) out.rim_frames.push_back(carving->views[rim.view].view->frame);
   return out;
 }

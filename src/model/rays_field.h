@@ -10,7 +10,7 @@ namespace artisketch {
 
 struct RaysFieldOptions {
   int cells = 100;         // along the longest side of the grid
-  int rays_per_view = 48;  // on which rims are sought
+  int rays_per_view = 64;  // on which rims are sought
   int refits = 2;          // times that the rims are sought again on the surface they gave
   HermiteOptions surface;
 };
