@@ -146,7 +146,7 @@ void HermiteSurface::values(const Vec3& start, const Vec3& step, int n, float* v
   }
 }
 
-void raise(const HermiteSurface& f, double above, Grid3<float>& field) {
+void raise(const Rows& f, double above, Grid3<float>& field) {
   // Coarse cell (i, j, k) holds the fine samples 4 · (i, j, k) + 0 … 3; its corner is coarse sample
   // (i + 1, j + 1, k + 1), one more all round.
   const Index3 cells = (field.size.array() + kCoarse - 1) / kCoarse;
@@ -179,7 +179,7 @@ void raise(const HermiteSurface& f, double above, Grid3<float>& field) {
         int end = i;
         while (end < coarse.size.x() && read[coarse.index(end, j, k)]) ++end;
         if (end > i)
-          f.values(coarse.position(i, j, k), Vec3(coarse.cell, 0, 0), end - i, &coarse(i, j, k));
+          f(coarse.position(i, j, k), Vec3(coarse.cell, 0, 0), end - i, &coarse(i, j, k));
         i = end + 1;
       }
 

@@ -2,6 +2,7 @@
 // (Wendland 2005, chapter 16; Macêdo, Gois and Velho 2011).
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct SurfacePoint {
 };
 
 struct HermiteOptions {
-  double value_ridge = 2e-3;  // how loosely f = 0 holds at the points
+  double value_ridge = 1e-4;  // how loosely f = 0 holds at the points
   double slope_ridge = 20;    // how loosely ∇f is the normal; what turns it sideways within the
                               // outline is left to the neighbours
 };
@@ -44,8 +45,11 @@ class HermiteSurface {
   Eigen::Vector4d linear_;                         // 1, x, y, z
 };
 
+// values[i] = f(start + i · step), i = 0 … n − 1, of some smooth f.
+using Rows = std::function<void(const Vec3& start, const Vec3& step, int n, float* values)>;
+
 // field = max(field, f over its gradient's length) wherever the field is below `above`, in units:
 // to first order the distance to the part of f's inside that the field leaves.
-void raise(const HermiteSurface& f, double above, Grid3<float>& field);
+void raise(const Rows& f, double above, Grid3<float>& field);
 
 }  // namespace artisketch
