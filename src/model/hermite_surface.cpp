@@ -60,7 +60,8 @@ HermiteSurface::HermiteSurface(std::span<const SurfacePoint> points,
   Box3 box;
   for (const SurfacePoint& point : points) box.extend(point.position);
   centre_ = box.center();
-  scale_ = std::max(box.diagonal().norm() / 2, 1e-9);
+  const double extent = std::max(box.diagonal().norm() / 2, 1e-9);
+  scale_ = std::clamp(options.length, extent / 8, extent);
   std::vector<Vec3> c(n);
   for (int i = 0; i < n; ++i) c[i] = (points[i].position - centre_) / scale_;
 

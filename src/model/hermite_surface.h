@@ -21,8 +21,10 @@ struct SurfacePoint {
 };
 
 struct HermiteOptions {
-  double value_ridge = 1e-4;  // how loosely f = 0 holds at the points
-  double slope_ridge = 20;    // how loosely ∇f is the normal; what turns it sideways within the
+  double length = 0;          // units that the ridges refer to, such as the part's half thickness;
+                              // no less than an eighth of the points' extent counts
+  double value_ridge = 5e-4;  // how loosely f = 0 holds at the points
+  double slope_ridge = 60;    // how loosely ∇f is the normal; what turns it sideways within the
                               // outline is left to the neighbours
 };
 

@@ -28,6 +28,12 @@ void raise_plump(const HermiteSurface& f, const std::vector<RayRim>& rims, doubl
     return field;
   };
   Grid3<float> field = raised(fatness);
+  // Rims of views that contradict each other may leave next to nothing: the hull is better.
+  const auto inside = [](const Grid3<float>& g) {
+    return std::count_if(g.values.begin(), g.values.end(), [](float v) { return v < 0; });
+  };
+  constexpr double kLeast = 0.35;  // share of the hull
+  if (fatness >= 1 && double(inside(field)) < kLeast * double(inside(hull))) return;
   if (fatness < 1) {
     const Result<Mesh> plain = isosurface(raised(1));
     for (int tries = 0; plain && tries < 4; ++tries) {
@@ -74,9 +80,11 @@ Result<RaysField> rays_field(const Part& part, const RaysFieldOptions& options, 
   for (RayRim& rim : out.rims) choose_depths(*carving, box, rim);
   // The depths are sought on looser and coarser surfaces, which don't fold to pass through points
   // whose depths are still wrong.
-  constexpr double kLooser = 200;
+  constexpr double kLooser = 40;
   constexpr int kCoarser = 2;
-  HermiteOptions rough = options.surface;
+  HermiteOptions fine = options.surface;
+  fine.length = carving->radius;
+  HermiteOptions rough = fine;
   rough.value_ridge *= kLooser;
   for (int pass = 0; pass < options.refits; ++pass) {
     if (run.cancelled()) return cancelled();
@@ -84,7 +92,7 @@ Result<RaysField> rays_field(const Part& part, const RaysFieldOptions& options, 
     for (RayRim& rim : out.rims) detect_depths(*carving, box, f, rim);
   }
   if (run.cancelled()) return cancelled();
-  const HermiteSurface f(surface_points(*carving, out.rims), options.surface);
+  const HermiteSurface f(surface_points(*carving, out.rims), fine);
   raise_plump(f, out.rims, carving->radius, part.fatness, out.distance);
   for (const RayRim& rim : out.rims) out.rim_frames.push_back(carving->views[rim.view].view->frame);
   return out;
