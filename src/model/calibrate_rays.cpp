@@ -3,130 +3,85 @@
 //
 // Silhouettes leave much open (the twist of a limb, the depth at which a part sits on its bone),
 // and drawings disagree with themselves. So
-// - the prior is as wide as the silhouettes say that the poses are off (their energy at the user's
-//   poses against what errors of one degree would make): poses that are right already stay;
+// - the prior is as wide as the silhouettes say that the poses are off: poses that are right
+//   already stay;
 // - landmarks about the middles of bones say, weakly, what silhouettes leave open;
 // - Geman–McClure kernels, narrowed step by step, let contours that contradict all others go;
-// - of several starts the one that ends with least energy is taken.
+// - of several starts the one that ends with least energy is taken;
+// - joints whose parts still miss are turned out of that minimum, one at a time, and let fall into
+//   a better one;
+// - the rays' noise is measured on what is left, and the end refined with it.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "model/calibrate.h"
-#include "model/landmark_residuals.h"
-#include "model/pose_system.h"
-#include "model/ray_residuals.h"
+#include "model/calibration_words.h"
+#include "model/pose_solver.h"
 
 namespace artisketch {
 namespace {
 
 constexpr double kRayStep = 3;             // units of the drawing between rays
 constexpr int kMostRays = 32;              // of one contour
+constexpr int kMostPairs = 96;             // of its rays and the frames they are held against
 constexpr int kIterations = 30;            // of one stage, at most
-constexpr double kSettled = 1e-3;          // an energy that falls by less ends a stage
 constexpr double kWide = 12, kNarrow = 4;  // pixels: where the kernels let go
 constexpr double kNoise = 10;  // pixels²: what the stages take a ray's error for at first
-constexpr double kLeastNoise = 1.5, kMostNoise = 40;
+constexpr double kLeastNoise = 0.1, kMostNoise = 40;
 constexpr double kNoisePerMean = 200;  // the noise that the mean robust error at the end speaks for
+constexpr int kRefinements = 4;        // with the noise measured
 constexpr double kPriorShare = 0.27;  // of the limits: the prior's standard deviation at its widest
 constexpr double kPriorScale = 0.05;  // standard deviation of a frame's log scale
 
-// Landmarks that hold what silhouettes leave open, and those that lead a start.
-constexpr LandmarkLoss kKeep{100, 150}, kLead{10, 0};
+constexpr LandmarkLoss kLead{10, 0};  // landmarks that lead a start
+constexpr PoseEnergy kPlain{kNoise, 0}, kWideKernel{kNoise, kWide}, kNarrowKernel{kNoise, kNarrow};
 
-struct Stage {
-  double noise = 1;  // of the rays
-  double reach = 0;  // of the rays' kernel, units; 0: plain squares
-  LandmarkLoss landmarks;
-};
+// A frame moves if it can be compared in at least this share of the parts that others can be.
+constexpr double kEnoughParts = 0.25;
 
-struct Solved {
-  PoseChange change;
-  double energy = 0;
-};
+// Turns out of a minimum: so far about each axis, for at most so many parts in their frames, those
+// that miss by so many times what most do.
+constexpr double kOutstanding = 5;
+constexpr double kTurn = radians(25);
+constexpr int kMostTurned = 12;
+constexpr int kTurnIterations = 12;
 
-class Solver {
- public:
-  Solver(const Document& document, const RayResiduals& residuals, PoseFreedom freedom, Run& run)
-      : document_(document),
-        residuals_(residuals),
-        system_(document, std::move(freedom)),
-        run_(run) {}
-  PosePrior prior;
-  int iterations = 0;
-  const PoseSystem& system() const { return system_; }
+constexpr int kHoldIterations = 10;
+constexpr std::size_t kMostHeld = 24;  // joints without contours, looked at one by one
 
-  Placement at(const PoseChange& change) const {
-    std::vector<Pose> poses;
-    std::vector<double> scales;
-    for (std::size_t f = 0; f < document_.frames.size(); ++f) {
-      poses.push_back(changed(document_.frames[f].pose, change[f]));
-      scales.push_back(document_.frames[f].scale * std::exp(change[f].log_scale));
-    }
-    return placed(document_, poses, scales);
+// ---------------------------------------------------------------- what may move
+
+// Frames that show too few of the parts that others show keep the user's poses.
+std::vector<char> frames_that_move(const Document& document,
+                                   const std::vector<std::vector<char>>& shared,
+                                   std::vector<std::string>& warnings) {
+  std::vector<int> parts;
+  for (const std::vector<char>& frame : shared)
+    parts.push_back(int(std::count(frame.begin(), frame.end(), 1)));
+  const int most = *std::max_element(parts.begin(), parts.end());
+  std::vector<char> moves;
+  for (int f = 0; f < int(parts.size()); ++f) {
+    const bool enough = parts[f] > 0 && parts[f] >= kEnoughParts * most;
+    moves.push_back(enough && (f > 0 || document.calibration.free_first_frame));
+    if (!enough)
+      warnings.push_back(frame_words(document, f) + ": just " + std::to_string(parts[f]) +
+                         " of its parts can be compared with other frames: its pose stays as " +
+                         "given");
   }
-  double energy(const PoseChange& change, const Stage& stage,
-                std::vector<std::pair<int, MotionSystem>>* systems) const {
-    const Placement placement = at(change);
-    double sum = prior_energy(change, prior);
-    if (systems) systems->clear();
-    if (stage.noise > 0) {
-      sum += residuals_.evaluate(placement, {stage.reach, 0}, systems) / stage.noise;
-      if (systems)
-        for (auto& [joint, system] : *systems) {
-          system.H /= stage.noise;
-          system.g /= stage.noise;
-        }
-    }
-    return sum +
-           landmark_energy(residuals_, document_.skeleton, placement, stage.landmarks, systems);
-  }
-  void linearise(const PoseChange& change, const Stage& stage) {
-    energy(change, stage, &parts_);
-    system_.assemble(change, parts_);
-  }
-  Solved minimise(PoseChange start, const Stage& stage, int most) {
-    Solved best{std::move(start), 0};
-    best.energy = energy(best.change, stage, &parts_);
-    system_.assemble(best.change, parts_);
-    double damping = 1e-3;
-    for (int i = 0; i < most && !run_.cancelled(); ++i) {
-      PoseChange trial = system_.stepped(best.change, prior, damping);
-      const double e = energy(trial, stage, &parts_);
-      ++iterations;
-      if (e < best.energy) {
-        const bool done = e > best.energy * (1 - kSettled);
-        best.change = std::move(trial);
-        best.energy = e;
-        damping = std::max(damping / 5, 1e-6);
-        if (done) break;
-        system_.assemble(best.change, parts_);
-      } else {
-        damping *= 8;
-        if (damping > 1e4) break;
-      }
-    }
-    return best;
-  }
+  return moves;
+}
 
- private:
-  const Document& document_;
-  const RayResiduals& residuals_;
-  PoseSystem system_;
-  Run& run_;
-  std::vector<std::pair<int, MotionSystem>> parts_;
-};
-
-// Which of the unknowns may move: frames but the first, and joints that shared contours hang on.
-PoseFreedom freedom_of(const Document& document) {
+// Joints may turn where contours that can be compared hang on them.
+PoseFreedom freedom_of(const Document& document, std::vector<std::string>& warnings) {
   const PoseLimits limits = pose_limits(document);
+  const auto shared = shared_contours(document);
   PoseFreedom freedom;
   freedom.max_rotation = limits.max_rotation;
   freedom.max_translation = limits.max_translation;
   freedom.scale = document.calibration.scale;
-  const auto shared = shared_contours(document);
+  freedom.frame = frames_that_move(document, shared, warnings);
   const int joints = document.skeleton.size();
   for (std::size_t f = 0; f < document.frames.size(); ++f) {
-    freedom.frame.push_back(f > 0 || document.calibration.free_first_frame);
     freedom.joint.emplace_back(joints, 0);
     for (int j = joints - 1; j >= 0; --j)
       if (freedom.frame[f] && shared[f][j])
@@ -136,67 +91,214 @@ PoseFreedom freedom_of(const Document& document) {
   return freedom;
 }
 
-// The prior, as wide as the user's poses seem to be off: their energy against what a prior of full
-// width would make on average.
-PosePrior prior_of(Solver& solver, const PoseChange& user, const PoseFreedom& freedom) {
-  PosePrior prior{kPriorShare * freedom.max_rotation, kPriorShare * freedom.max_translation,
-                  kPriorScale};
-  solver.prior = prior;
-  const Stage rays_alone;
-  const double energy = solver.energy(user, rays_alone, nullptr);
-  solver.linearise(user, rays_alone);
-  // Twice, since errors also hide where silhouettes don't show them.
-  const double share =
-      std::sqrt(std::clamp(2 * energy / solver.system().expected_energy(prior), 1e-4, 1.0));
-  prior.rotation *= share;
-  prior.translation *= share;
-  prior.log_scale *= share;
-  return prior;
-}
+// ---------------------------------------------------------------- starts
 
 // The best of three starts: the user's poses by narrowing kernels, the landmarks' poses likewise,
 // and the user's poses with the narrow kernel at once.
-Solved best_start(Solver& solver, const PoseChange& user) {
-  const Stage plain{kNoise, 0, kKeep}, wide{kNoise, kWide, kKeep}, narrow{kNoise, kNarrow, kKeep};
-  const auto refined = [&](PoseChange start) {
-    Solved s = solver.minimise(std::move(start), plain, kIterations);
-    s = solver.minimise(std::move(s.change), wide, kIterations);
-    return solver.minimise(std::move(s.change), narrow, kIterations);
+SolvedPoses best_of_starts(PoseSolver& solver, const PoseChange& user) {
+  const auto narrowed = [&](PoseChange start) {
+    SolvedPoses s = solver.minimise(std::move(start), kPlain, kIterations);
+    s = solver.minimise(std::move(s.change), kWideKernel, kIterations);
+    return solver.minimise(std::move(s.change), kNarrowKernel, kIterations);
   };
-  const Stage landmarks{0, 0, kLead};
-  const Solved starts[] = {refined(user),
-                           refined(solver.minimise(user, landmarks, kIterations).change),
-                           solver.minimise(user, narrow, kIterations)};
-  return *std::min_element(std::begin(starts), std::end(starts),
-                           [](const Solved& a, const Solved& b) { return a.energy < b.energy; });
+  const PoseEnergy landmarks{0, 0, kLead};
+  const SolvedPoses starts[] = {narrowed(user),
+                                narrowed(solver.minimise(user, landmarks, kIterations).change),
+                                solver.minimise(user, kNarrowKernel, kIterations)};
+  return *std::min_element(
+      std::begin(starts), std::end(starts),
+      [](const SolvedPoses& a, const SolvedPoses& b) { return a.energy < b.energy; });
+}
+
+// ---------------------------------------------------------------- turns out of minima
+
+struct Missed {
+  int joint = 0, frame = 0;
+  double energy = 0;  // robust, of the part's rays from that frame
+};
+
+// Parts in frames that may move whose rays miss by much more than most parts' do, and by more than
+// a drawing's noise; the worst first.
+std::vector<Missed> missed(const RayResiduals& residuals, const Placement& placement,
+                           const PoseFreedom& freedom) {
+  std::vector<Missed> all;
+  std::vector<double> energies;
+  const double c2 = kNarrow * kNarrow * residuals.unit() * residuals.unit();
+  for (const RayResiduals::Part& part : residuals.parts()) {
+    const auto misses = residuals.misses(part, placement);
+    for (std::size_t v = 0; v < misses.size(); ++v) {
+      Missed one{part.joint, part.views[v].frame, 0};
+      for (const double e : misses[v]) one.energy += part.views[v].weight * e * c2 / (c2 + e);
+      energies.push_back(one.energy);
+      if (freedom.joint[one.frame][one.joint]) all.push_back(one);
+    }
+  }
+  if (energies.empty()) return all;
+  const auto middle = energies.begin() + std::ptrdiff_t(energies.size() / 2);
+  std::nth_element(energies.begin(), middle, energies.end());
+  const double much = std::max(kNoise, kOutstanding * *middle);
+  all.erase(
+      std::remove_if(all.begin(), all.end(), [&](const Missed& one) { return one.energy <= much; }),
+      all.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Missed& a, const Missed& b) { return a.energy > b.energy; });
+  return all;
+}
+
+Vec3 composed(const Vec3& first, const Vec3& then, double limit) {
+  const auto rotation = [](const Vec3& v) {
+    const double angle = v.norm();
+    return angle > 0 ? Quat(Eigen::AngleAxisd(angle, v / angle)) : Quat::Identity();
+  };
+  Quat q = rotation(first) * rotation(then);
+  if (q.w() < 0) q.coeffs() = -q.coeffs();
+  const Eigen::AngleAxisd turn(q);
+  return turn.axis() * std::min(turn.angle(), limit);
+}
+
+// Rotations of a joint in one frame that may lead to another minimum: about its bone, toward and
+// away from the camera, in the picture, the bone mirrored in depth (which an orthographic camera
+// can hardly tell), and the user's.
+std::vector<Vec3> turned(const Vec3& now, const Mat3& axes, const Vec3& bone, double limit) {
+  const Vec3 view = axes.transpose() * Vec3::UnitZ();
+  const Vec3 along = bone.isZero(0) ? view.unitOrthogonal() : bone.normalized();
+  const Vec3 across =
+      along.cross(view).norm() > 1e-3 ? along.cross(view).normalized() : along.unitOrthogonal();
+  const double depth = std::asin(std::clamp(along.dot(view), -1.0, 1.0));
+  std::vector<Vec3> all = {Vec3::Zero(), composed(now, -2 * depth * across, limit)};
+  for (const Vec3& axis : {along, across, Vec3(along.cross(across))})
+    for (const double angle : {kTurn, -kTurn}) all.push_back(composed(now, angle * axis, limit));
+  return all;
+}
+
+// One joint's rotations in all frames, all else as it is, from the rotation that is best of those
+// above in one frame. Returns nothing if none is better.
+std::optional<PoseChange> turned_out(const Document& document, const RayResiduals& residuals,
+                                     const PoseFreedom& freedom, const PosePrior& prior,
+                                     const PoseChange& from, const Missed& where, Run& run) {
+  const Skeleton& skeleton = document.skeleton;
+  PoseFreedom alone = freedom;
+  std::vector<char> below(skeleton.size(), 0);
+  for (int j = where.joint; j < skeleton.size(); ++j)
+    below[j] =
+        j == where.joint || (skeleton.joints[j].parent >= 0 && below[skeleton.joints[j].parent]);
+  for (std::size_t f = 0; f < alone.frame.size(); ++f) {
+    alone.frame[f] = 0;
+    for (int j = 0; j < skeleton.size(); ++j)
+      if (j != where.joint) alone.joint[f][j] = 0;
+  }
+  const RayResiduals of_these = residuals.of(below);
+  PoseSolver solver(document, of_these, alone, prior, run);
+  const double limit = freedom.max_rotation;
+  SolvedPoses best{from, solver.energy(from, kNarrowKernel)};
+  const double before = best.energy;
+  const Vec3 now = from[where.frame].rotation[where.joint];
+  const Mat3 axes = solver.at(from).posed[where.frame][where.joint].linear();
+  const Vec3 bone = middle_of_bones(skeleton, where.joint);
+  for (const Vec3& rotation : turned(now, axes, bone, limit)) {
+    PoseChange start = from;
+    start[where.frame].rotation[where.joint] = rotation;
+    SolvedPoses s = solver.minimise(std::move(start), kWideKernel, kTurnIterations / 3);
+    s = solver.minimise(std::move(s.change), kNarrowKernel, kTurnIterations);
+    if (s.energy < best.energy) best = std::move(s);
+  }
+  if (best.energy >= before - 1) return std::nullopt;
+  return best.change;
+}
+
+// Rounds of turns until none helps; all joints are fitted again after each.
+SolvedPoses out_of_minima(PoseSolver& solver, const Document& document,
+                          const RayResiduals& residuals, const PoseFreedom& freedom,
+                          SolvedPoses best, Run& run) {
+  int left = kMostTurned;
+  for (bool any = true; any && left > 0;) {
+    any = false;
+    PoseChange change = best.change;
+    for (const Missed& one : missed(residuals, solver.at(change), freedom)) {
+      if (run.cancelled() || left-- <= 0) break;
+      if (auto better =
+              turned_out(document, residuals, freedom, solver.prior(), change, one, run)) {
+        change = std::move(*better);
+        any = true;
+      }
+    }
+    if (!any) break;
+    SolvedPoses s = solver.minimise(std::move(change), kNarrowKernel, kIterations);
+    if (s.energy < best.energy) best = std::move(s);
+  }
+  return best;
+}
+
+// ---------------------------------------------------------------- joints without contours
+
+// Holds joints without a contour in a frame at the user's rotation where that costs next to
+// nothing, so that they move only where what hangs on them needs it: all at once, else one by one,
+// those that moved least first.
+SolvedPoses unneeded_held(const Document& document, const RayResiduals& residuals,
+                          PoseFreedom freedom, const PosePrior& prior, const PoseEnergy& what,
+                          SolvedPoses best, Run& run) {
+  const auto shared = shared_contours(document);
+  std::vector<std::pair<int, int>> moved;  // frame, joint
+  for (int f = 0; f < int(best.change.size()); ++f)
+    for (int j = 1; j < document.skeleton.size(); ++j)
+      if (freedom.joint[f][j] && !shared[f][j]) moved.emplace_back(f, j);
+  std::stable_sort(moved.begin(), moved.end(), [&](const auto& a, const auto& b) {
+    return best.change[a.first].rotation[a.second].squaredNorm() <
+           best.change[b.first].rotation[b.second].squaredNorm();
+  });
+  best.energy = PoseSolver(document, residuals, freedom, prior, run).energy(best.change, what);
+  const auto hold = [&](auto first, auto last) {
+    PoseFreedom held = freedom;
+    PoseChange start = best.change;
+    for (auto one = first; one != last; ++one) {
+      held.joint[one->first][one->second] = 0;
+      start[one->first].rotation[one->second].setZero();
+    }
+    PoseSolver solver(document, residuals, held, prior, run);
+    SolvedPoses s = solver.minimise(std::move(start), what, kHoldIterations);
+    if (s.energy > best.energy + double(last - first)) return false;
+    best = std::move(s);
+    freedom = std::move(held);
+    return true;
+  };
+  if (moved.empty() || hold(moved.begin(), moved.end())) return best;
+  if (moved.size() > kMostHeld) moved.resize(kMostHeld);
+  for (auto one = moved.begin(); one != moved.end() && !run.cancelled(); ++one) hold(one, one + 1);
+  return best;
 }
 
 }  // namespace
 
 Result<Calibration> calibrate_rays(const Document& document, Run& run) {
-  const RayResiduals residuals(document, kRayStep, kMostRays);
-  const PoseFreedom freedom = freedom_of(document);
-  Solver solver(document, residuals, freedom, run);
-  const PoseChange user = no_change(document);
-  solver.prior = prior_of(solver, user, freedom);
-  Solved best = best_start(solver, user);
-  run.report(0.7);
-  // What the rays still miss by tells their noise: twice more, with the rays weighed by it.
-  for (int i = 0; i < 2; ++i) {
-    const double mean = residuals.evaluate(solver.at(best.change), {kNarrow, 0}, nullptr) /
-                        residuals.contour_length();
-    const double noise = std::clamp(kNoisePerMean * mean, kLeastNoise, kMostNoise);
-    best = solver.minimise(std::move(best.change), {noise, kNarrow, kKeep}, kIterations);
-  }
-  if (run.cancelled()) return cancelled();
   Calibration result;
-  result.energy_before = residuals.evaluate(solver.at(user), {kNarrow, 0}, nullptr);
-  result.energy_after = residuals.evaluate(solver.at(best.change), {kNarrow, 0}, nullptr);
-  result.iterations = solver.iterations;
-  for (std::size_t f = 0; f < document.frames.size(); ++f) {
-    result.poses.push_back(changed(document.frames[f].pose, best.change[f]));
-    result.scales.push_back(document.frames[f].scale * std::exp(best.change[f].log_scale));
+  const RayResiduals residuals = RayResiduals(document, kRayStep, kMostRays).thinned(kMostPairs);
+  const PoseFreedom freedom = freedom_of(document, result.warnings);
+  const double shift = kPriorShare * freedom.max_translation;
+  const PosePrior widest{kPriorShare * freedom.max_rotation, shift, shift, kPriorScale};
+  PoseSolver solver(document, residuals, freedom, widest, run);
+  const PoseChange user = no_change(document);
+  solver.narrow_prior(user);
+  SolvedPoses best = best_of_starts(solver, user);
+  run.report(0.5);
+  best = out_of_minima(solver, document, residuals, freedom, std::move(best), run);
+  run.report(0.8);
+  const auto robust = [&](const PoseChange& change) {
+    return residuals.evaluate(solver.at(change), kNarrow, nullptr);
+  };
+  PoseEnergy measured = kNarrowKernel;
+  for (int i = 0; i < kRefinements; ++i) {
+    const double mean = robust(best.change) / residuals.contour_length();
+    measured.noise = std::clamp(kNoisePerMean * mean, kLeastNoise, kMostNoise);
+    best = solver.minimise(std::move(best.change), measured, kIterations);
   }
+  best =
+      unneeded_held(document, residuals, freedom, solver.prior(), measured, std::move(best), run);
+  if (run.cancelled()) return cancelled();
+  result.energy_before = robust(user);
+  result.energy_after = robust(best.change);
+  result.iterations = solver.iterations();
+  result.poses = solver.poses(best.change);
+  result.scales = solver.scales(best.change);
   return result;
 }
 

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 namespace artisketch {
 namespace {
@@ -21,8 +22,10 @@ constexpr double kOtherLength = 0.1;  // relative difference of lengths that is 
 // An angle is open where an error of 10° costs less than the noise of a drawing does: a pixel's
 // deviation all along a stretch of contour this long.
 constexpr double kOpenAngle = radians(10);
-constexpr double kNoise = 10;  // square pixels times pixels
-constexpr double kInset = 1;   // pixels: rays that just touch the hull count, too
+constexpr double kNoise = 10;      // square pixels times pixels
+constexpr int kMostPairs = 96;     // rays of a contour, times the frames they are held against
+constexpr double kEndOn = 0.95;    // cosine: a bone that points at the camera
+constexpr double kOffJoint = 0.2;  // of a leaf's radius: its middle shows where it points
 
 std::string quoted(const Document& document, int joint) {
   return "'" + document.skeleton.joints[joint].name + "'";
@@ -70,7 +73,7 @@ std::pair<double, double> extent(const RayResiduals::Part& part, const RayResidu
                                  const Placement& placement, const Vec3& axis) {
   const Transform to_part = placement.posed[view.frame][part.joint].inverse();
   const FrameCamera& camera = placement.cameras[view.frame];
-  const Vec3 middle = to_part.inverse() * part.middle;
+  const Vec3 middle = to_part.inverse() * part.middle(placement);
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Vec2& p : view.points) {
     const Ray ray = camera.ray(p);
@@ -104,7 +107,7 @@ std::string differing_most(const Document& document, const RayResiduals::Part& p
     most = off;
     const double length = high - low, other_length = other_high - other_low;
     const double differ = std::abs(length - other_length) / std::max(length, other_length);
-    const Vec3 middle = placement.posed[view.frame][part.joint] * part.middle;
+    const Vec3 middle = placement.posed[view.frame][part.joint] * part.middle(placement);
     words =
         " cannot agree with " + frame_words(document, other.frame) + ": its contours " +
         (differ > kOtherLength
@@ -144,55 +147,78 @@ void name_contradictions(const Document& document, const RayResiduals& rays,
 
 enum class Turn { twist, swing, plane };
 
-Turn kind_of(const Vec3& axis, const Vec3& along_bone, const Vec3& to_camera) {
-  const double twist = std::abs(axis.dot(along_bone)), plane = std::abs(axis.dot(to_camera));
-  if (twist > 0.7 && twist >= plane) return Turn::twist;
-  return plane > 0.7 ? Turn::plane : Turn::swing;
+// The axes that a part may turn about, in the joint's axes, by what a person sees of them: about
+// its bone, in the picture, toward the camera. A bone that points at the camera, or no bone, leaves
+// fewer kinds.
+std::vector<std::pair<Turn, Vec3>> turns_of(const Vec3& bone, const Vec3& to_camera) {
+  const double along = bone.isZero(0) ? 1 : std::abs(bone.normalized().dot(to_camera));
+  const Vec3 across =
+      along < kEndOn ? bone.cross(to_camera).normalized() : to_camera.unitOrthogonal();
+  std::vector<std::pair<Turn, Vec3>> turns = {{Turn::swing, across}};
+  if (along < kEndOn) {
+    turns.push_back({Turn::twist, bone.normalized()});
+    turns.push_back({Turn::plane, across.cross(bone).normalized()});
+  } else {
+    turns.push_back({Turn::swing, across.cross(to_camera)});
+    turns.push_back({bone.isZero(0) ? Turn::plane : Turn::twist, to_camera});
+  }
+  return turns;
 }
 
-void name_open_angles(const Document& document, const RayResiduals& rays, Calibration& result) {
-  // The system at the poses found; a frame's joint may turn where its own contour is compared.
-  Document found = with_poses(document, result);
-  PoseFreedom freedom;
-  freedom.joint = shared_contours(document);
-  for (std::size_t f = 0; f < found.frames.size(); ++f)
-    freedom.frame.push_back(f > 0 || document.calibration.free_first_frame);
-  PoseSystem system(found, freedom);
-  const Placement placement = placed(found, result.poses, result.scales);
-  std::vector<std::pair<int, MotionSystem>> parts;
-  rays.evaluate(placement, {0, kInset}, &parts);
-  system.assemble(no_change(found), parts);
+std::string listed(const std::set<int>& numbers) {
+  std::string words;
+  for (const int n : numbers) words += (words.empty() ? "" : ", ") + std::to_string(n);
+  return words;
+}
 
-  std::map<std::pair<int, Turn>, std::string> open;  // frames by joint and kind
-  for (const RayResiduals::Part& part : rays.parts()) {
+// What a part's misses come to, all rays of all its views.
+double cost_of(const RayResiduals& rays, const RayResiduals::Part& part,
+               const Placement& placement) {
+  double sum = 0;
+  const auto misses = rays.misses(part, placement);
+  for (std::size_t v = 0; v < misses.size(); ++v)
+    for (const double squared : misses[v]) sum += part.views[v].weight * squared;
+  return sum;
+}
+
+// Small eigenvalues of the normal matrix would tell open angles, too, but not all of them: a round
+// part's rays slide along its outline as it turns, which no first derivative shows. So each angle
+// is tried.
+void name_open_angles(const Document& document, const RayResiduals& rays, Calibration& result) {
+  const RayResiduals few = rays.thinned(kMostPairs);
+  Placement placement = placed(document, result.poses, result.scales);
+  const double noise = kNoise * rays.unit() * rays.unit();
+  std::map<std::pair<int, Turn>, std::set<int>> open;  // frames by joint and kind
+  for (const RayResiduals::Part& part : few.parts()) {
     const bool locked = std::count(document.calibration.locked.begin(),
                                    document.calibration.locked.end(), part.joint) > 0;
-    Vec3 bone = middle_of_bones(document.skeleton, part.joint);
-    if (bone.isZero(0)) bone = part.middle;
+    if (locked) continue;
+    const Vec3 middle = part.middle(placement);
+    Vec3 bone = part.bone;
+    if (bone.isZero(0) && middle.norm() > kOffJoint * part.radius) bone = middle;
+    const double cost = cost_of(rays, part, placement);
     for (const RayResiduals::View& view : part.views) {
-      if (locked || !freedom.frame[view.frame]) continue;
-      const Eigen::SelfAdjointEigenSolver<Mat3> eigen(
-          system.rotation_block(part.joint, view.frame));
-      for (int i = 0; i < 3; ++i) {
-        if (eigen.eigenvalues()[i] * kOpenAngle * kOpenAngle > kNoise) continue;
-        const Turn kind = kind_of(eigen.eigenvectors().col(i), bone.normalized(),
-                                  -direction_of(part, view, placement));
-        std::string& frames = open[{part.joint, kind}];
-        const std::string number = std::to_string(view.frame + 1);
-        if (frames.empty())
-          frames = number;
-        else if (frames.substr(frames.find_last_of(' ') + 1) != number)
-          frames += ", " + number;
-      }
+      if (view.frame == 0 && !document.calibration.free_first_frame) continue;
+      Transform& posed = placement.posed[view.frame][part.joint];
+      const Transform found = posed;
+      for (const auto& [kind, axis] : turns_of(bone, -direction_of(part, view, placement)))
+        for (const double angle : {kOpenAngle, -kOpenAngle}) {
+          posed = found * Eigen::AngleAxisd(angle, axis);
+          const bool cheap = cost_of(rays, part, placement) < cost + noise;
+          posed = found;
+          if (!cheap) continue;
+          open[{part.joint, kind}].insert(view.frame + 1);
+          break;
+        }
     }
   }
   for (const auto& [key, frames] : open) {
     const std::string of = " of " + quoted(document, key.first);
-    result.undetermined.push_back(
-        (key.second == Turn::twist   ? "twist" + of + " about its bone"
-         : key.second == Turn::swing ? "swing" + of + " toward the camera or away"
-                                     : "turn" + of + " in the picture") +
-        (frames.find(',') == std::string::npos ? ", frame " : ", frames ") + frames);
+    result.undetermined.push_back((key.second == Turn::twist ? "twist" + of + " about its bone"
+                                   : key.second == Turn::swing
+                                       ? "swing" + of + " toward the camera or away"
+                                       : "turn" + of + " in the picture") +
+                                  (frames.size() == 1 ? ", frame " : ", frames ") + listed(frames));
   }
 }
 

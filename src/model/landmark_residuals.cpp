@@ -72,7 +72,7 @@ double landmark_energy(const RayResiduals& residuals, const Skeleton& skeleton,
     const bool has_bone = !skeleton.children(part.joint).empty();
     const Vec3 bone = middle_of_bones(skeleton, part.joint);
     const double pull = has_bone ? loss.bone / (part.radius * part.radius) : 0;
-    Vec3 c = part.middle;
+    Vec3 c = part.middle(placement);
     if (!all_in_front(part, placement, c)) continue;
     Mat3 QQ;
     for (int i = 0; i < kSteps; ++i) {

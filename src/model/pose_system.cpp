@@ -59,14 +59,15 @@ Pose changed(const Pose& pose, const FrameChange& change) {
 }
 
 double prior_energy(const PoseChange& change, const PosePrior& prior) {
-  double turns = 0, shifts = 0, scales = 0;
+  double turns = 0, shifts = 0, depths = 0, scales = 0;
   for (const FrameChange& frame : change) {
     for (const Vec3& turn : frame.rotation) turns += turn.squaredNorm();
-    shifts += frame.translation.squaredNorm();
+    shifts += frame.translation.head<2>().squaredNorm();
+    depths += frame.translation.z() * frame.translation.z();
     scales += frame.log_scale * frame.log_scale;
   }
   return turns / (prior.rotation * prior.rotation) +
-         shifts / (prior.translation * prior.translation) +
+         shifts / (prior.translation * prior.translation) + depths / (prior.depth * prior.depth) +
          scales / (prior.log_scale * prior.log_scale);
 }
 
@@ -187,7 +188,8 @@ PoseChange PoseSystem::stepped(const PoseChange& change, const PosePrior& prior,
       const int at = node.width * f;
       for (int i = 0; i < 3; ++i) pull(at + i, change[f].rotation[node.joint][i], prior.rotation);
       if (node.joint != 0) continue;
-      for (int i = 0; i < 3; ++i) pull(at + 3 + i, change[f].translation[i], prior.translation);
+      for (int i = 0; i < 3; ++i)
+        pull(at + 3 + i, change[f].translation[i], i < 2 ? prior.translation : prior.depth);
       pull(at + 6, change[f].log_scale, prior.log_scale);
     }
     A[k][0].diagonal() *= 1 + damping;
@@ -235,17 +237,11 @@ double PoseSystem::expected_energy(const PosePrior& prior) const {
       const auto diagonal = node.blocks[0].diagonal().segment(node.width * f, node.width);
       sum += diagonal.head<3>().sum() * prior.rotation * prior.rotation;
       if (node.joint != 0) continue;
-      sum += diagonal.segment<3>(3).sum() * prior.translation * prior.translation;
+      sum += diagonal.segment<2>(3).sum() * prior.translation * prior.translation;
+      sum += diagonal[5] * prior.depth * prior.depth;
       sum += diagonal[6] * prior.log_scale * prior.log_scale;
     }
   return sum;
-}
-
-Mat3 PoseSystem::rotation_block(int joint, int frame) const {
-  const int k = node_of_[joint];
-  if (k < 0) return Mat3::Zero();
-  const int at = nodes_[k].width * frame;
-  return nodes_[k].blocks[0].block<3, 3>(at, at);
 }
 
 }  // namespace artisketch

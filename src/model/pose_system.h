@@ -40,7 +40,8 @@ struct MotionSystem {
 // How far users' poses are off, as standard deviations per axis: the prior that pulls to them.
 struct PosePrior {
   double rotation = radians(5);  // radians, of each joint in its parent's axes
-  double translation = 1;        // units, of the root
+  double translation = 1;        // units, of the root, across the real camera's axis
+  double depth = 1;              // units, of the root, along it
   double log_scale = 0.1;
 };
 
@@ -70,9 +71,6 @@ class PoseSystem {
 
   // The energy that pose errors of one standard deviation would make, by the system assembled.
   double expected_energy(const PosePrior& prior) const;
-
-  // 3×3 of joint's rotation in a frame, in its rotation vector's axes, without the prior.
-  Mat3 rotation_block(int joint, int frame) const;
 
   const PoseFreedom& freedom() const { return freedom_; }
 

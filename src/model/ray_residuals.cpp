@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kDrawnSize = 500;      // pixels: the figure in which unit() is a pixel
 constexpr double kLeastUnit = 0.5;      // pixels: nobody draws finer
+constexpr int kLeastRays = 8;          // of a contour
 constexpr double kMargin = 6;           // of an outline's raster about its box, in unit()
 constexpr double kMostSamples = 200;    // of a raster along a side
 constexpr double kReach = 1.3;          // of a part's radius: poses may be that far off
@@ -49,7 +50,8 @@ RayResiduals::View view_of(const Document& document, int frame, int joint, doubl
   const PolygonDistance exact(closed);
   const double margin = kMargin * unit;
   const double widest = exact.box().sizes().maxCoeff() + 2 * margin;
-  view.outline = SampledDistance(exact, std::min(1 / unit, kMostSamples / widest), margin);
+  view.outline = std::make_shared<const SampledDistance>(
+      exact, std::min(1 / unit, kMostSamples / widest), margin);
   step = std::max(step, total / most);
   for (const Polyline& line : lines) {
     const std::vector<Vec2> points = resampled(line, step).points;
@@ -137,25 +139,53 @@ RayResiduals::RayResiduals(const Document& document, double step, int most) {
     Part part;
     part.joint = joint;
     part.radius = 0;
-    Mat3 A = kMiddleToBone * Mat3::Identity();
-    Vec3 b = kMiddleToBone * middle_of_bones(document.skeleton, joint);
+    part.bone = middle_of_bones(document.skeleton, joint);
     for (int f = 0; f < int(document.frames.size()); ++f) {
       if (!shared[f][joint]) continue;
       part.views.push_back(view_of(document, f, joint, unit_, step * unit_, most));
-      // The point nearest to the rays through the outlines' centroids.
       const Transform& to_world = placement.posed[f][joint];
-      const Ray ray = placement.cameras[f].ray(part.views.back().centroid);
-      const Vec3 d = to_world.linear().transpose() * ray.direction;
-      const Mat3 across = Mat3::Identity() - d * d.transpose();
-      A += across;
-      b += across * (to_world.inverse() * ray.origin);
       const double per_unit = placement.cameras[f].pixels_per_unit(to_world.translation().z());
       const Box2 box = bounds(contours_of(document.frames[f], joint));
       if (per_unit > 0) part.radius = std::max(part.radius, box.diagonal().norm() / 2 / per_unit);
     }
-    part.middle = A.inverse() * b;
     if (part.views.size() > 1) parts_.push_back(std::move(part));
   }
+}
+
+Vec3 RayResiduals::Part::middle(const Placement& placement) const {
+  Mat3 A = kMiddleToBone * Mat3::Identity();
+  Vec3 b = kMiddleToBone * bone;
+  for (const View& view : views) {
+    const Transform& to_world = placement.posed[view.frame][joint];
+    const Ray ray = placement.cameras[view.frame].ray(view.centroid);
+    const Vec3 d = to_world.linear().transpose() * ray.direction;
+    const Mat3 across = Mat3::Identity() - d * d.transpose();
+    A += across;
+    b += across * (to_world.inverse() * ray.origin);
+  }
+  return A.inverse() * b;
+}
+
+RayResiduals RayResiduals::thinned(int most) const {
+  RayResiduals fewer = *this;
+  for (Part& part : fewer.parts_) {
+    const int wanted = std::max(kLeastRays, most / int(part.views.size() - 1));
+    for (View& view : part.views) {
+      const std::size_t all = view.points.size(), kept = std::min<std::size_t>(all, wanted);
+      for (std::size_t i = 0; i < kept; ++i) view.points[i] = view.points[i * all / kept];
+      view.points.resize(kept);
+      view.weight *= double(all) / double(kept);
+    }
+  }
+  return fewer;
+}
+
+RayResiduals RayResiduals::of(const std::vector<char>& joints) const {
+  RayResiduals some = *this;
+  some.parts_.erase(std::remove_if(some.parts_.begin(), some.parts_.end(),
+                                   [&](const Part& part) { return !joints[part.joint]; }),
+                    some.parts_.end());
+  return some;
 }
 
 double RayResiduals::contour_length() const {
@@ -168,11 +198,11 @@ double RayResiduals::contour_length() const {
 // Calls visit(view, point, squared miss, depth from the middle, ray, the search's rays) for every
 // ray of a part.
 template <class Visit>
-void RayResiduals::each_ray(const Part& part, const Placement& placement, double inset,
+void RayResiduals::each_ray(const Part& part, const Placement& placement,
                             const Visit& visit) const {
   const int n = int(part.views.size());
+  const Vec3 about = part.middle(placement);
   RaySearch search;
-  search.inset = inset;
   std::vector<Transform> across(n - 1);
   for (int a = 0; a < n; ++a) {
     const View& from = part.views[a];
@@ -182,9 +212,9 @@ void RayResiduals::each_ray(const Part& part, const Placement& placement, double
     for (int i = 0; i < n - 1; ++i) {
       const View& other = part.views[i + (i >= a)];
       across[i] = placement.posed[other.frame][part.joint] * to_part;
-      search.outlines.push_back(&other.outline);
+      search.outlines.push_back(other.outline.get());
     }
-    const Vec3 middle = to_world * part.middle;
+    const Vec3 middle = to_world * about;
     for (std::size_t p = 0; p < from.points.size(); ++p) {
       Ray ray = placement.cameras[from.frame].ray(from.points[p]);
       ray.origin = ray.at((middle - ray.origin).dot(ray.direction));
@@ -199,9 +229,9 @@ void RayResiduals::each_ray(const Part& part, const Placement& placement, double
   }
 }
 
-double RayResiduals::evaluate(const Placement& placement, const Loss& loss,
+double RayResiduals::evaluate(const Placement& placement, double reach,
                               std::vector<std::pair<int, MotionSystem>>* systems) const {
-  const double c2 = loss.reach * unit_ * loss.reach * unit_;
+  const double c2 = reach * unit_ * reach * unit_;
   const int frames = int(placement.posed.size());
   const bool scales = placement.cameras[0].camera.type == Camera::Type::orthographic;
   double energy = 0;
@@ -211,7 +241,7 @@ double RayResiduals::evaluate(const Placement& placement, const Loss& loss,
   std::vector<Mat3> turned;
   for (const Part& part : parts_) {
     MotionSystem system(systems ? frames : 0);
-    each_ray(part, placement, loss.inset * unit_,
+    each_ray(part, placement,
              [&](int a, int, double e, double t, const Ray& ray, const RaySearch& search,
                  const std::vector<Transform>& across) {
                if (e == 0) return;
@@ -230,7 +260,7 @@ double RayResiduals::evaluate(const Placement& placement, const Loss& loss,
                  if (!search.rays[i].in_front(t)) continue;
                  Vec2 along, gradient;
                  const Vec2 u = search.rays[i].pixel(t, along);
-                 const double sd = other.outline.distance(u, gradient) + search.inset;
+                 const double sd = other.outline->distance(u, gradient);
                  if (sd <= 0) continue;
                  const FrameCamera& camera = placement.cameras[other.frame];
                  Row row;
@@ -261,7 +291,7 @@ std::vector<std::vector<double>> RayResiduals::misses(const Part& part,
                                                       const Placement& placement) const {
   std::vector<std::vector<double>> squared;
   for (const View& view : part.views) squared.emplace_back(view.points.size());
-  each_ray(part, placement, 0,
+  each_ray(part, placement,
            [&](int a, int p, double e, double, const Ray&, const RaySearch&,
                const std::vector<Transform>&) { squared[a][p] = e; });
   return squared;

@@ -7,6 +7,7 @@
 // together say far more than pairs of views do, which only meet in epipolar tangents.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -28,7 +29,7 @@ class RayResiduals {
  public:
   struct View {
     int frame = 0;
-    SampledDistance outline;
+    std::shared_ptr<const SampledDistance> outline;
     std::vector<Vec2> points;  // where rays start, pixels
     double weight = 1;         // of each ray: the stretch of contour it stands for
     Vec2 centroid = Vec2::Zero();
@@ -37,30 +38,33 @@ class RayResiduals {
   // A part that at least two frames show by a closed contour.
   struct Part {
     int joint = 0;
-    std::vector<View> views;  // of frames that do
-    // A middle of the part, in the joint's axes, and a radius about it (units) that holds the part:
-    // where rays look for it.
-    Vec3 middle = Vec3::Zero();
-    double radius = 1;
+    std::vector<View> views;   // of frames that do
+    Vec3 bone = Vec3::Zero();  // middle of the joint's bones, in its axes
+    double radius = 1;         // units: the part lies within it of its middle
+    // The point nearest to the views' rays through their centroids, in the joint's axes: rays look
+    // for the part about it. Views from one direction leave its depth to the bone.
+    Vec3 middle(const Placement& placement) const;
   };
 
   // step: pixels between rays; most: rays a part and frame.
   RayResiduals(const Document& document, double step, int most);
 
   const std::vector<Part>& parts() const { return parts_; }
+  // The same with fewer rays a contour where more frames show a part, at most `most` times a frame
+  // that they are held against: cost would grow with the square of the frames, and what rays say
+  // does not.
+  RayResiduals thinned(int most) const;
+  // The same for the parts of some joints alone (per joint: whether it's wanted).
+  RayResiduals of(const std::vector<char>& joints) const;
   // The drawing's own pixel: what counts as one in a figure drawn some 500 pixels large. Energies
   // are in its squares, and times the length of contour that they stand for.
   double unit() const { return unit_; }
   double contour_length() const;  // in unit()
 
-  struct Loss {
-    double reach = 0;  // c, in unit(); 0: plain squares
-    double inset = 0;  // the silhouettes are shrunk by it, in unit()
-  };
   // Sum over rays of ρ(e) = c²e / (c² + e) (Geman and McClure 1987), e the sum of a ray's squared
-  // residuals. systems: where not null, receives each part's joint and its linear system in the
-  // part's motions.
-  double evaluate(const Placement& placement, const Loss& loss,
+  // residuals, and c = reach, in unit() (0: plain squares). systems: where not null, receives each
+  // part's joint and its linear system in the part's motions.
+  double evaluate(const Placement& placement, double reach,
                   std::vector<std::pair<int, MotionSystem>>* systems) const;
 
   // Pixels² by which each ray of a part misses the hull, view by view, point by point.
@@ -68,8 +72,7 @@ class RayResiduals {
 
  private:
   template <class Visit>
-  void each_ray(const Part& part, const Placement& placement, double inset,
-                const Visit& visit) const;
+  void each_ray(const Part& part, const Placement& placement, const Visit& visit) const;
 
   double unit_ = 1;
   std::vector<Part> parts_;

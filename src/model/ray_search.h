@@ -32,7 +32,6 @@ class SeenRay {
 
 // One ray against all other silhouettes of its part.
 struct RaySearch {
-  double inset = 0;  // pixels by which the silhouettes are shrunk
   std::vector<SeenRay> rays;
   std::vector<const SampledDistance*> outlines;  // of the same views
 
@@ -42,8 +41,11 @@ struct RaySearch {
   double best_depth(double reach, double& least) const;
 
  private:
-  double sum(double t, double& half_slope) const;
-  double sum(double t) const;
+  struct Sum {
+    double value = 0, half_slope = 0, half_bend = 0;  // the bend where distances are linear
+  };
+  Sum sum(double t) const;
+  double sum_up_to(double enough, double t) const;  // at least `enough` where it's more than that
 };
 
 }  // namespace artisketch

@@ -19,11 +19,13 @@ constexpr int kNovelPoses = 6;
 constexpr const char* kUsage =
     "usage: artisketch_quality [--brief] [--figures N] [--frames N] [--error DEGREES]\n"
     "                          [--wobble PIXELS] [--method paper|rays] [--grid N]\n"
-    "                          [--no-calibrate] [--visual-hull]\n"
-    "Every combination of the settings not named; --brief: one case per figure.\n";
+    "                          [--poses] [--no-calibrate] [--no-mirror] [--visual-hull]\n"
+    "Every combination of the settings not named; --brief: one case per figure;\n"
+    "--poses: calibration alone.\n";
 
 struct Options {
   bool brief = false;
+  bool poses = false;
   int figures = 6;
   std::vector<int> frames = {2, 3, 4};
   std::vector<double> errors = {0, 8, 15};       // degrees
@@ -73,6 +75,44 @@ void add(PoseErrors& sum, const PoseErrors& one, double weight) {
   sum.twist += weight * one.twist;
 }
 
+// What calibration made of the poses.
+void measure_poses(const Figure& figure, const Sketches& sketches, const Document& calibrated,
+                   const std::vector<PartCoverage>& coverage, Row& row) {
+  const int frames = int(calibrated.frames.size());
+  for (int f = 1; f < frames; ++f) {  // the first is given
+    const Pose& truth = sketches.truth.frames[f].pose;
+    const FrameCamera seen = frame_camera(sketches.truth, f);
+    const double share = 1.0 / (frames - 1);
+    add(row.before, pose_errors(figure, seen, truth, sketches.given.frames[f].pose), share);
+    add(row.after, pose_errors(figure, seen, truth, calibrated.frames[f].pose), share);
+  }
+  if (coverage.empty()) return;
+  row.coverage_before = row.coverage_after = 0;
+  for (const PartCoverage& one : coverage) {
+    row.coverage_before += one.before / double(coverage.size());
+    row.coverage_after += one.after / double(coverage.size());
+  }
+}
+
+// What the whole made of the shape.
+void measure_shape(const Case& c, const Figure& figure, const Sketches& sketches,
+                   const Reconstruction& made, Row& row) {
+  for (int f = 0; f < c.frames; ++f) {
+    const FrameCamera seen = frame_camera(sketches.truth, f);
+    row.drawn +=
+        intersection_over_union(
+            silhouette(figure, sketches.truth.frames[f].pose, seen, kWidth, kHeight),
+            silhouette(made.model, made.calibrated.frames[f].pose, seen, kWidth, kHeight)) /
+        c.frames;
+  }
+  const FrameCamera still{sketches.truth.camera, Vec2(kWidth, kHeight) / 2, 1};
+  for (const View& v : random_views(figure, kNovelPoses, c.seed + 5000))
+    row.novel += intersection_over_union(silhouette(figure, v.pose, still, kWidth, kHeight),
+                                         silhouette(made.model, v.pose, still, kWidth, kHeight)) /
+                 kNovelPoses;
+  row.volume = volume_iou(figure, made.model.mesh);
+}
+
 std::optional<Row> measure(const Case& c, const Options& options) {
   const Figure figure = figure_of(c.seed);
   const Camera camera = fitting_camera(figure, c.camera, kWidth, kHeight);
@@ -83,41 +123,29 @@ std::optional<Row> measure(const Case& c, const Options& options) {
             .root_error = c.pose_error / 400},
            c.seed);
   Run run;
+  Row row;
   const auto start = std::chrono::steady_clock::now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  if (options.poses) {
+    const auto found = calibrate(sketches.given, {options.pipeline.method}, run);
+    row.seconds = seconds();
+    if (found)
+      measure_poses(figure, sketches, with_poses(sketches.given, *found), found->coverage, row);
+    if (found) return row;
+    std::printf("failed: %s\n", found.error().text().c_str());
+    return std::nullopt;
+  }
   const Result<Reconstruction> made = reconstruct(sketches.given, options.pipeline, run);
   if (!made) {
     std::printf("failed: %s\n", made.error().text().c_str());
     return std::nullopt;
   }
-  Row row;
-  row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  for (int f = 0; f < c.frames; ++f) {
-    const Pose& truth = sketches.truth.frames[f].pose;
-    const Pose& found = made->calibrated.frames[f].pose;
-    const FrameCamera seen = frame_camera(sketches.truth, f);
-    if (f > 0) {  // the first is given
-      const double share = 1.0 / (c.frames - 1);
-      add(row.before, pose_errors(figure, seen, truth, sketches.given.frames[f].pose), share);
-      add(row.after, pose_errors(figure, seen, truth, found), share);
-    }
-    row.drawn += intersection_over_union(silhouette(figure, truth, seen, kWidth, kHeight),
-                                         silhouette(made->model, found, seen, kWidth, kHeight)) /
-                 c.frames;
-  }
-  if (made->calibration && !made->calibration->coverage.empty()) {
-    row.coverage_before = row.coverage_after = 0;
-    const std::vector<PartCoverage>& all = made->calibration->coverage;
-    for (const PartCoverage& one : all) {
-      row.coverage_before += one.before / double(all.size());
-      row.coverage_after += one.after / double(all.size());
-    }
-  }
-  const FrameCamera still{camera, Vec2(kWidth, kHeight) / 2, 1};
-  for (const View& v : random_views(figure, kNovelPoses, c.seed + 5000))
-    row.novel += intersection_over_union(silhouette(figure, v.pose, still, kWidth, kHeight),
-                                         silhouette(made->model, v.pose, still, kWidth, kHeight)) /
-                 kNovelPoses;
-  row.volume = volume_iou(figure, made->model.mesh);
+  row.seconds = seconds();
+  measure_poses(figure, sketches, made->calibrated,
+                made->calibration ? made->calibration->coverage : std::vector<PartCoverage>{}, row);
+  measure_shape(c, figure, sketches, *made, row);
   return row;
 }
 
@@ -167,6 +195,8 @@ bool read_options(int count, char** words, Options& options) {
     const auto value = [&]() -> std::string { return i + 1 < count ? words[++i] : ""; };
     if (word == "--brief") {
       options.brief = true;
+    } else if (word == "--poses") {
+      options.poses = true;
     } else if (word == "--figures") {
       options.figures = std::atoi(value().c_str());
     } else if (word == "--frames") {
@@ -179,6 +209,8 @@ bool read_options(int count, char** words, Options& options) {
       options.pipeline.grid = std::atoi(value().c_str());
     } else if (word == "--no-calibrate") {
       options.pipeline.calibrate = false;
+    } else if (word == "--no-mirror") {
+      options.pipeline.mirror = false;
     } else if (word == "--visual-hull") {
       options.pipeline.visual_hull = true;
     } else if (word == "--method") {
