@@ -2,6 +2,7 @@
 // part, make them one skin, bind that to the skeleton.
 #include "base/blocking.h"
 #include "model/mirror.h"
+#include "model/part_cache.h"
 #include "model/stage_clock.h"
 #include "model/stages.h"
 
@@ -37,8 +38,10 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   double cells = 0, part_vertices = 0;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     stages.part(parts[p].name, int(p), int(parts.size()), 0.3, 0.8);
-    Result<PartSurface> surface =
-        reconstruct_part(parts[p], {options.method, options.grid, options.visual_hull}, run);
+    const SurfaceOptions surface_options{options.method, options.grid, options.visual_hull};
+    Result<PartSurface> surface = options.cache
+                                      ? options.cache->surface(parts[p], surface_options, run)
+                                      : reconstruct_part(parts[p], surface_options, run);
     if (!surface) return surface.error();
     append(out.warnings, surface->warnings);
     cells += double(surface->distance.values.size());
