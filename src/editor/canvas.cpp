@@ -64,7 +64,7 @@ void paint_model(Work& work, const FrameCamera& camera, const OnScreen& on, cons
   const Pose drawn = work.drawn_pose();
   const bool theirs =
       work.view.mode == Mode::pose && drawn.rotations.size() == pose.rotations.size();
-  work.built->picture->pose(work.built->model, theirs ? drawn : pose, Vec3::Zero());
+  work.built->picture->pose(theirs ? drawn : pose, Vec3::Zero());
   const Eye eye = sketch_eye(camera, on.origin, on.zoom, place);
   PaintOptions options;
   options.dark = theme().dark;

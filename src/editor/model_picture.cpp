@@ -177,6 +177,21 @@ void Picture::end() {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+bool Scene::same_pose(const Scene& other) const {
+  const auto same = [](const Quat& a, const Quat& b) { return a.coeffs() == b.coeffs(); };
+  return shift == other.shift && pose.root_position == other.pose.root_position &&
+         std::equal(pose.rotations.begin(), pose.rotations.end(), other.pose.rotations.begin(),
+                    other.pose.rotations.end(), same);
+}
+
+bool Scene::operator==(const Scene& other) const {
+  const auto key = [](const Scene& s) {
+    return std::tuple(s.model, s.options.surface, s.options.joint, s.options.ground, s.options.dark,
+                      s.width, s.height);
+  };
+  return key(*this) == key(other) && clip == other.clip && turn == other.turn && same_pose(other);
+}
+
 // ---------------------------------------------------------------- the model
 
 ModelPicture::~ModelPicture() {
@@ -188,6 +203,8 @@ ModelPicture::~ModelPicture() {
 }
 
 void ModelPicture::load(const Model& model) {
+  static long loaded = 0;
+  next_.model = ++loaded;
   const int n = int(model.mesh.V.rows());
   if (!triangles_) {
     for (unsigned* array : {&triangles_, &edges_, &ground_}) glGenVertexArrays(1, array);
@@ -266,9 +283,16 @@ void ModelPicture::load(const Model& model) {
   glBindVertexArray(0);
 }
 
-void ModelPicture::pose(const Model& model, const Pose& pose, const Vec3& shift) {
-  Points3 V = posed_vertices(model.mesh.V, model.weights, model.skeleton, pose);
-  V.rowwise() += shift.transpose();
+void ModelPicture::pose(const Pose& pose, const Vec3& shift) {
+  next_.pose = pose;
+  next_.shift = shift;
+}
+
+void ModelPicture::move_vertices(const Model& model, const Scene& scene) {
+  if (posed_.model == scene.model && posed_.same_pose(scene)) return;
+  posed_ = scene;
+  Points3 V = posed_vertices(model.mesh.V, model.weights, model.skeleton, scene.pose);
+  V.rowwise() += scene.shift.transpose();
   // Weighted by area: cheap, and the mesh is even.
   Points3 sums = Points3::Zero(welded_count_, 3);
   for (Eigen::Index f = 0; f < model.mesh.F.rows(); ++f) {
@@ -317,9 +341,16 @@ void ModelPicture::colour_vertices(const Model& model, const PaintOptions& optio
 
 void ModelPicture::paint(const Model& model, const Eye& eye, const PaintOptions& options,
                          Picture& picture, float pixel_ratio) {
+  next_.clip = eye.clip;
+  next_.turn = eye.turn;
+  next_.options = options;
+  next_.width = int(std::lround(eye.place.w * pixel_ratio));
+  next_.height = int(std::lround(eye.place.h * pixel_ratio));
+  if (picture.texture() && picture.shows == next_) return;
+  picture.shows = next_;
+  move_vertices(model, next_);
   colour_vertices(model, options);
-  picture.begin(int(std::lround(eye.place.w * pixel_ratio)),
-                int(std::lround(eye.place.h * pixel_ratio)));
+  picture.begin(next_.width, next_.height);
   const Program& p = program();
   glUseProgram(p.id);
   const Eigen::Matrix4f clip = eye.clip.cast<float>();

@@ -234,7 +234,7 @@ void model_view(Work& work, const Layout& layout, float pixel_ratio) {
   const Eye eye = orbit_eye(work.view.orbit, place);
   const Pose pose = work.shown_pose();
   const Vec3 shift = work.shown_footing();
-  work.built->picture->pose(work.built->model, pose, shift);
+  work.built->picture->pose(pose, shift);
   PaintOptions options;
   options.surface = work.view.surface;
   options.joint = work.view.joint;

@@ -136,7 +136,7 @@ void welcome(Work& work, const Layout& layout, float pixel_ratio) {
     if (work.built) {
       Rect stage = all;
       const Eye eye = orbit_eye(work.view.orbit, stage);
-      work.built->picture->pose(work.built->model, work.shown_pose(), work.shown_footing());
+      work.built->picture->pose(work.shown_pose(), work.shown_footing());
       PaintOptions options;
       options.ground = true;
       options.dark = t.dark;

@@ -232,13 +232,16 @@ struct Model {
 
 // ---------------------------------------------------------------- the whole
 
+class PartCache;
+
 struct PipelineOptions {
   Method method = kDefaultMethod;
   int grid = 100;
   bool calibrate = true;
-  bool visual_hull = false;  // plain hulls of the parts, united without blending
-  int triangles = 15000;     // of the model, about
-  bool mirror = true;        // joints see their mirror images' contours, where these agree
+  bool visual_hull = false;    // plain hulls of the parts, united without blending
+  int triangles = 15000;       // of the model, about
+  bool mirror = true;          // joints see their mirror images' contours, where these agree
+  PartCache* cache = nullptr;  // keeps the parts' surfaces from one run to the next (part_cache.h)
 };
 
 struct StageTime {
