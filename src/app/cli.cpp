@@ -35,7 +35,8 @@ void ask_to_stop(int) {
 struct Arguments {
   std::string in, out, calibrated, report, preview, method, size = "800x800";
   std::optional<int> grid, triangles;
-  bool no_calibrate = false, visual_hull = false, quiet = false, progress = false;
+  bool no_calibrate = false, no_texture = false, visual_hull = false, quiet = false,
+       progress = false;
   int frame = 0, turntable = 0;
   double yaw = 0, pitch = 0;
 };
@@ -155,15 +156,15 @@ std::string text_beside(Document document, const std::string& from, const std::s
   return document_text(document);
 }
 
-Result<std::string> preview_of(const Document& document, const std::string& path,
-                               const Reconstruction& result) {
-  std::vector<Image> sketches;
+// The frames' drawings, empty where a frame has none.
+Result<std::vector<Image>> load_drawings(const Document& document, const std::string& path) {
+  std::vector<Image> drawings;
   for (const Frame& frame : document.frames) {
     Result<Image> image = load_frame_image(frame, path);
     if (!image) return image.error();
-    sketches.push_back(std::move(*image));
+    drawings.push_back(std::move(*image));
   }
-  return png_bytes(contact_sheet(document, sketches, result));
+  return drawings;
 }
 
 int reconstruct_verb(const Arguments& a) {
@@ -179,6 +180,15 @@ int reconstruct_verb(const Arguments& a) {
   options.mirror = document->settings.mirror.value_or(options.mirror);
   options.calibrate = !a.no_calibrate;
   options.visual_hull = a.visual_hull;
+  std::vector<Image> drawings;
+  const bool texture = !a.no_texture && document->settings.texture.value_or(true);
+  if (texture || !a.preview.empty()) {
+    Result<std::vector<Image>> loaded = load_drawings(*document, a.in);
+    if (!loaded) return fail(bad_input(loaded.error().text()));
+    drawings = std::move(*loaded);
+  }
+  if (texture)
+    for (const Image& d : drawings) options.drawings.push_back({d.width, d.height, d.rgba});
   CommandRun command(a);
   const Result<Reconstruction> result = reconstruct(*document, options, command.run);
   command.finish();
@@ -192,11 +202,8 @@ int reconstruct_verb(const Arguments& a) {
   if (!a.calibrated.empty())
     outputs.push_back({a.calibrated, text_beside(result->calibrated, a.in, a.calibrated)});
   if (!a.report.empty()) outputs.push_back({a.report, report_text(*document, *result)});
-  if (!a.preview.empty()) {
-    Result<std::string> picture = preview_of(*document, a.in, *result);
-    if (!picture) return fail(bad_input(picture.error().text()));
-    outputs.push_back({a.preview, std::move(*picture)});
-  }
+  if (!a.preview.empty())
+    outputs.push_back({a.preview, png_bytes(contact_sheet(*document, drawings, *result))});
   outputs.push_back({a.out, std::move(*glb)});
   if (stop_asked) return fail(cancelled());
   if (const int status = write_all(outputs)) return status;
@@ -302,6 +309,7 @@ int run_cli(const std::vector<std::string>& arguments) {
   make.add_option("--triangles", a.triangles, "of the model, about (default 15000)")
       ->check(CLI::Range(100, 10000000));
   make.add_flag("--no-calibrate", a.no_calibrate, "trust the document's poses");
+  make.add_flag("--no-texture", a.no_texture, "leave the model plain");
   make.add_option("--calibrated", a.calibrated, "the document at the calibrated poses");
   make.add_option("--preview", a.preview,
                   "a contact sheet: drawings, result over them, four sides (.png)");
