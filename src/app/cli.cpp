@@ -16,6 +16,7 @@
 #include "files/document_file.h"
 #include "files/gltf.h"
 #include "files/image_file.h"
+#include "files/mesh_file.h"
 #include "files/preview.h"
 #include "files/report_file.h"
 #include "model/stages.h"
@@ -168,6 +169,12 @@ Result<std::vector<Image>> load_drawings(const Document& document, const std::st
 }
 
 int reconstruct_verb(const Arguments& a) {
+  const std::string ending = model_ending(a.out);
+  if (ending.empty()) {
+    std::fprintf(stderr, "-o %s: wanted a file that ends in .glb, .obj, .stl or .ply\n",
+                 a.out.c_str());
+    return kBadCommandLine;
+  }
   if (const auto error = unwritable({a.out, a.calibrated, a.report, a.preview}))
     return fail(*error);
   const Result<Document> document = read_document(a.in);
@@ -196,15 +203,15 @@ int reconstruct_verb(const Arguments& a) {
   print_warnings(result->warnings);
 
   std::vector<Output> outputs;
-  Result<std::string> glb = glb_bytes(result->model);
-  if (!glb) return fail(glb.error());
-  const std::size_t size = glb->size();
+  Result<std::string> model = model_bytes_for(ending, result->model);
+  if (!model) return fail(model.error());
+  const std::size_t size = model->size();
   if (!a.calibrated.empty())
     outputs.push_back({a.calibrated, text_beside(result->calibrated, a.in, a.calibrated)});
   if (!a.report.empty()) outputs.push_back({a.report, report_text(*document, *result)});
   if (!a.preview.empty())
     outputs.push_back({a.preview, png_bytes(contact_sheet(*document, drawings, *result))});
-  outputs.push_back({a.out, std::move(*glb)});
+  outputs.push_back({a.out, std::move(*model)});
   if (stop_asked) return fail(cancelled());
   if (const int status = write_all(outputs)) return status;
   if (!a.quiet) print_summary(a.out, size, *document, *result);
@@ -300,10 +307,11 @@ int run_cli(const std::vector<std::string>& arguments) {
                "artisketch"};
   app.set_version_flag("--version", "ArtiSketch " ARTISKETCH_VERSION);
   app.require_subcommand(1);
-  CLI::App& make =
-      *app.add_subcommand("reconstruct", "Make a rigged model (.glb) from a sketch document");
+  CLI::App& make = *app.add_subcommand("reconstruct", "Make a rigged model from a sketch document");
   add_run_flags(make, a);
-  make.add_option("-o,--output", a.out, "the model to write (.glb)")->required();
+  make.add_option("-o,--output", a.out,
+                  "the model to write (.glb, or its surface alone: .obj, .stl, .ply)")
+      ->required();
   make.add_option("--grid", a.grid, "cells along a part's longest side (default 100)")
       ->check(CLI::Range(16, 400));
   make.add_option("--triangles", a.triangles, "of the model, about (default 15000)")
