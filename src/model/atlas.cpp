@@ -71,6 +71,12 @@ int pack(std::vector<Chart>& charts, int width) {
   return y + shelf;
 }
 
+int power_of_two(int least) {
+  int n = 1;
+  while (n < least) n *= 2;
+  return n;
+}
+
 }  // namespace
 
 Atlas make_atlas(const Mesh& mesh, const FaceNeighbours& neighbours, const std::vector<int>& views,
@@ -111,9 +117,16 @@ Atlas make_atlas(const Mesh& mesh, const FaceNeighbours& neighbours, const std::
     widest = std::max(widest, chart.box.sizes().x());
     for (const int i : chart.corners) atlas.texels[i] *= shrink;
   }
-  const int wanted = int(std::max(widest + 2 * kGutter, 1.1 * std::sqrt(area) * shrink));
-  atlas.width = (wanted + 3) / 4 * 4;
-  atlas.height = (pack(charts, atlas.width) + 3) / 4 * 4;
+  // Powers of two, as old graphics cards want them: the pair that wastes least.
+  atlas.width = 0;
+  for (int width = power_of_two(int(widest) + 2 * kGutter), i = 0; i < 4; ++i, width *= 2) {
+    const int height = power_of_two(pack(charts, width));
+    if (atlas.width == 0 || double(width) * height < double(atlas.width) * atlas.height) {
+      atlas.width = width;
+      atlas.height = height;
+    }
+  }
+  pack(charts, atlas.width);
   for (const Chart& chart : charts)
     for (const int i : chart.corners) atlas.texels[i] += chart.corner - chart.box.min();
   return atlas;
