@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "app/progress_line.h"
+#include "files/bvh_file.h"
 #include "files/bytes.h"
 #include "files/document_file.h"
 #include "files/gltf.h"
@@ -19,6 +20,7 @@
 #include "files/mesh_file.h"
 #include "files/preview.h"
 #include "files/report_file.h"
+#include "model/retarget.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -34,7 +36,7 @@ void ask_to_stop(int) {
 }
 
 struct Arguments {
-  std::string in, out, calibrated, report, preview, method, size = "800x800";
+  std::string in, out, calibrated, report, preview, motion, method, size = "800x800";
   std::optional<int> grid, triangles;
   bool no_calibrate = false, no_texture = false, visual_hull = false, quiet = false,
        progress = false;
@@ -179,6 +181,14 @@ int reconstruct_verb(const Arguments& a) {
     return fail(*error);
   const Result<Document> document = read_document(a.in);
   if (!document) return fail(bad_input(document.error().text()));
+  std::optional<Clip> clip;
+  if (!a.motion.empty()) {
+    Result<Motion> motion = read_bvh(a.motion);
+    if (!motion) return fail(motion.error());
+    Result<Clip> moved = retargeted(*document, *motion);
+    if (!moved) return fail(bad_input(a.motion + ": " + moved.error().text()));
+    clip = std::move(*moved);
+  }
   PipelineOptions options;
   options.method = method_of(a, *document);
   options.grid = a.grid.value_or(document->settings.grid.value_or(options.grid));
@@ -197,10 +207,11 @@ int reconstruct_verb(const Arguments& a) {
   if (texture)
     for (const Image& d : drawings) options.drawings.push_back({d.width, d.height, d.rgba});
   CommandRun command(a);
-  const Result<Reconstruction> result = reconstruct(*document, options, command.run);
+  Result<Reconstruction> result = reconstruct(*document, options, command.run);
   command.finish();
   if (!result) return fail(result.error());
   print_warnings(result->warnings);
+  if (clip) result->model.clips.insert(result->model.clips.begin() + 1, std::move(*clip));
 
   std::vector<Output> outputs;
   Result<std::string> model = model_bytes_for(ending, result->model);
@@ -317,6 +328,7 @@ int run_cli(const std::vector<std::string>& arguments) {
   make.add_option("--triangles", a.triangles, "of the model, about (default 15000)")
       ->check(CLI::Range(100, 10000000));
   make.add_flag("--no-calibrate", a.no_calibrate, "trust the document's poses");
+  make.add_option("--motion", a.motion, "a recorded motion to add as a clip (.bvh)");
   make.add_flag("--no-texture", a.no_texture, "leave the model plain");
   make.add_option("--calibrated", a.calibrated, "the document at the calibrated poses");
   make.add_option("--preview", a.preview,
