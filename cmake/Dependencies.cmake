@@ -45,6 +45,15 @@ target_link_libraries(artisketch::tinygltf INTERFACE artisketch::json)
 target_include_directories(artisketch::tinygltf SYSTEM INTERFACE "${headers}/stb")
 
 if(EMSCRIPTEN)
+  # Eigen 3.4 has no packets of WebAssembly's, but Emscripten has SSE2 in terms of them: faster than
+  # scalars, and sums are then taken in the same order as on a PC, so that both give the same model.
+  # "GCC 5.13" is where Eigen stops writing SSE in assembly for old compilers, and before it starts to
+  # for new ones.
+  target_compile_options(artisketch::eigen INTERFACE -msimd128 -msse2 -fgnuc-version=5.13)
+  # It goes by the size of a pointer otherwise, and takes half of the registers.
+  target_compile_definitions(artisketch::eigen INTERFACE EIGEN_ARCH_DEFAULT_NUMBER_OF_REGISTERS=16)
+  target_include_directories(artisketch::eigen SYSTEM INTERFACE "${PROJECT_SOURCE_DIR}/cmake/sse")
+
   # Compiled along: the system's library is for the system. Debian has it as the source package
   # `meshoptimizer`.
   set(ARTISKETCH_MESHOPTIMIZER_SOURCE "" CACHE PATH "Folder of meshoptimizer's sources")

@@ -57,6 +57,8 @@ int fail(const Error& error) {
     case Error::Kind::io:
       return kNotWritten;
     case Error::Kind::bad_input:
+    case Error::Kind::out_of_memory:
+    case Error::Kind::crashed:
       break;
   }
   return kBadInput;

@@ -257,11 +257,6 @@ void SampledDistance::take_signs(const PolygonDistance& exact) {
   }
 }
 
-double SampledDistance::distance(const Vec2& p) const {
-  Vec2 gradient;
-  return distance(p, gradient);
-}
-
 double SampledDistance::distance(const Vec2& p, Vec2& gradient) const {
   if (values_.empty()) {
     gradient.setZero();

@@ -50,7 +50,19 @@ class SampledDistance {
   SampledDistance() = default;
   SampledDistance(const PolygonDistance& exact, double per_pixel, double margin);
 
-  double distance(const Vec2& p) const;
+  double distance(const Vec2& p) const {
+    // Here since searches along rays do little else.
+    const double x = (p.x() - origin_.x()) * per_pixel_, y = (p.y() - origin_.y()) * per_pixel_;
+    if (!(x >= 0 && y >= 0 && x < nx_ - 1.001 && y < ny_ - 1.001)) {
+      Vec2 gradient;
+      return distance(p, gradient);
+    }
+    const int i = int(x), j = int(y);
+    const double wx = x - i, wy = y - j;
+    const float* v = &values_[std::size_t(j) * nx_ + i];
+    const double low = v[0] + wx * (v[1] - v[0]), high = v[nx_] + wx * (v[nx_ + 1] - v[nx_]);
+    return low + wy * (high - low);
+  }
   double distance(const Vec2& p, Vec2& gradient) const;
   bool empty() const { return values_.empty(); }
 

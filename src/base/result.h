@@ -12,9 +12,11 @@ namespace artisketch {
 
 struct Error {
   enum class Kind {
-    bad_input,  // the user's input is at fault
-    io,         // a file could not be read or written
-    cancelled,  // the user asked to stop
+    bad_input,      // the user's input is at fault
+    io,             // a file could not be read or written
+    cancelled,      // the user asked to stop
+    out_of_memory,  // a smaller task may succeed
+    crashed,        // the program is at fault
   };
   Kind kind = Kind::bad_input;
   std::vector<std::string> faults;  // one line each: what is wrong, where, what would be right

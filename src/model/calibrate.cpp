@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "base/blocking.h"
 #include "model/calibration_words.h"
 #include "model/ray_residuals.h"
 
@@ -109,6 +110,7 @@ std::string nothing_to_compare(const Document& document) {
 }  // namespace
 
 Result<Calibration> calibrate(const Document& document, const CalibrateOptions& options, Run& run) {
+  fix_blocking();
   Calibration result = unmoved(document);
   const RayResiduals rays(document, kPixel, kMostPixels);
   const std::vector<Coverage> before = coverage(document, rays, result.poses, result.scales);

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/trigonometry.h"
 #include "model/calibration_words.h"
 #include "model/pose_solver.h"
 
@@ -23,6 +24,7 @@ namespace {
 
 constexpr double kRayStep = 3;             // units of the drawing between rays
 constexpr int kMostRays = 32;              // of one contour
+constexpr int kMostPairs = 96;             // of its rays and the frames they are held against
 constexpr int kIterations = 30;            // of one stage, at most
 constexpr double kWide = 12, kNarrow = 4;  // pixels: where the kernels let go
 constexpr double kNoise = 10;  // pixels²: what the stages take a ray's error for at first
@@ -144,15 +146,13 @@ std::vector<Missed> missed(const RayResiduals& residuals, const Placement& place
   return all;
 }
 
+// The rotation vector of one rotation after another, cut to the limit.
 Vec3 composed(const Vec3& first, const Vec3& then, double limit) {
-  const auto rotation = [](const Vec3& v) {
-    const double angle = v.norm();
-    return angle > 0 ? Quat(Eigen::AngleAxisd(angle, v / angle)) : Quat::Identity();
-  };
-  Quat q = rotation(first) * rotation(then);
+  Quat q = rotation_by(first) * rotation_by(then);
   if (q.w() < 0) q.coeffs() = -q.coeffs();
-  const Eigen::AngleAxisd turn(q);
-  return turn.axis() * std::min(turn.angle(), limit);
+  const double half_sine = q.vec().norm();
+  if (half_sine < 1e-12) return Vec3::Zero();
+  return q.vec() / half_sine * std::min(2 * arctangent(half_sine, q.w()), limit);
 }
 
 // Rotations of a joint in one frame that may lead to another minimum: about its bone, toward and
@@ -163,7 +163,7 @@ std::vector<Vec3> turned(const Vec3& now, const Mat3& axes, const Vec3& bone, do
   const Vec3 along = bone.isZero(0) ? view.unitOrthogonal() : bone.normalized();
   const Vec3 across =
       along.cross(view).norm() > 1e-3 ? along.cross(view).normalized() : along.unitOrthogonal();
-  const double depth = std::asin(std::clamp(along.dot(view), -1.0, 1.0));
+  const double depth = arctangent(along.dot(view), along.cross(view).norm());
   std::vector<Vec3> all = {Vec3::Zero(), composed(now, -2 * depth * across, limit)};
   for (const Vec3& axis : {along, across, Vec3(along.cross(across))})
     for (const double angle : {kTurn, -kTurn}) all.push_back(composed(now, angle * axis, limit));
@@ -270,7 +270,7 @@ SolvedPoses unneeded_held(const Document& document, const RayResiduals& residual
 
 Result<Calibration> calibrate_rays(const Document& document, Run& run) {
   Calibration result;
-  const RayResiduals residuals(document, kRayStep, kMostRays);
+  const RayResiduals residuals = RayResiduals(document, kRayStep, kMostRays).thinned(kMostPairs);
   const PoseFreedom freedom = freedom_of(document, result.warnings);
   const double shift = kPriorShare * freedom.max_translation;
   const PosePrior widest{kPriorShare * freedom.max_rotation, shift, shift, kPriorScale};

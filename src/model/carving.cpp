@@ -188,6 +188,7 @@ Result<Carving> carving_of(const Part& part, std::span<const PartView* const> ex
     return bad_input("'" + part.name + "' has no closed contour in any frame");
   for (const PartView* view : extra) add(*view);
   carving.slab = slab_of(carving.views, carving.middle);
+  carving.slab.half *= part.fatness;
   carving.room = room_of(carving);
   return carving;
 }
@@ -214,10 +215,10 @@ Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run) {
   Result<Grid3<float>> grid = carving_grid(carving, cells);
   if (!grid) return grid;
   Grid3<float>& g = *grid;
-  // Blocks of 8³ samples: one question in the middle tells whether the block lies wholly outside or
+  // Blocks of 4³ samples: one question in the middle tells whether the block lies wholly outside or
   // inside by more than its half diagonal. A projection stretches lengths by no more than its
   // pixels per unit, so the distance in units changes by at most about the way walked.
-  constexpr int kBlock = 8;
+  constexpr int kBlock = 4;
   const double reach = g.cell * (kBlock - 1) / 2.0 * std::sqrt(3.0);
   for (int k0 = 0; k0 < g.size.z(); k0 += kBlock) {
     if (run.cancelled()) return cancelled();

@@ -10,23 +10,6 @@ namespace artisketch {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
-using Polynomial = Eigen::Matrix<double, 10, 1>;
-
-// The monomials up to degree 2 at p, and their gradients.
-Polynomial monomials(const Vec3& p) {
-  const double x = p.x(), y = p.y(), z = p.z();
-  Polynomial m;
-  m << 1, x, y, z, x * x, y * y, z * z, y * z, x * z, x * y;
-  return m;
-}
-Eigen::Matrix<double, 3, 10> monomial_gradients(const Vec3& p) {
-  const double x = p.x(), y = p.y(), z = p.z();
-  Eigen::Matrix<double, 3, 10> g;
-  g << 0, 1, 0, 0, 2 * x, 0, 0, 0, z, y,  //
-      0, 0, 1, 0, 0, 2 * y, 0, z, 0, x,   //
-      0, 0, 0, 1, 0, 0, 2 * z, y, x, 0;
-  return g;
-}
 
 // f is smooth at a grid's scale: sampled at every fourth grid point and interpolated by cubics
 // (Catmull–Rom) in between.
@@ -77,59 +60,61 @@ HermiteSurface::HermiteSurface(std::span<const SurfacePoint> points,
   Box3 box;
   for (const SurfacePoint& point : points) box.extend(point.position);
   centre_ = box.center();
-  scale_ = std::max(box.diagonal().norm() / 2, 1e-9);
+  const double extent = std::max(box.diagonal().norm() / 2, 1e-9);
+  scale_ = std::clamp(options.length, extent / 8, extent);
   std::vector<Vec3> c(n);
   for (int i = 0; i < n; ++i) c[i] = (points[i].position - centre_) / scale_;
 
-  // Rows and columns: the n values, then each point's gradient. One triangle is enough.
-  Matrix K(4 * n, 4 * n);
-  Matrix P(4 * n, 10);
-  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(4 * n);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
+  // Rows and columns: the n values, then each point's slopes along its normal and its sight.
+  Matrix K(3 * n, 3 * n), P = Matrix::Zero(3 * n, 4);
+  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(3 * n);
+  for (int j = 0; j < n; ++j) {
+    const Vec3 way_j[2] = {points[j].normal, points[j].sight};
+    for (int i = 0; i < n; ++i) {
       const Vec3 d = c[i] - c[j];
-      const double r = d.norm();
+      const double r = d.norm(), per_r = r > 0 ? 1 / r : 0;
+      const Vec3 way_i[2] = {points[i].normal, points[i].sight};
       K(i, j) = r * r * r;
-      K.block<1, 3>(i, n + 3 * j) = -3 * r * d.transpose();
-      K.block<3, 1>(n + 3 * i, j) = 3 * r * d;
-      Mat3 H = -3 * r * Mat3::Identity();
-      if (r > 0) H -= 3 / r * d * d.transpose();
-      K.block<3, 3>(n + 3 * i, n + 3 * j) = H;
+      for (int v = 0; v < 2; ++v) {
+        const double along_j = d.dot(way_j[v]);
+        K(i, n + 2 * j + v) = -3 * r * along_j;
+        K(n + 2 * i + v, j) = 3 * r * d.dot(way_i[v]);
+        for (int u = 0; u < 2; ++u)
+          K(n + 2 * i + u, n + 2 * j + v) =
+              -3 * (r * way_i[u].dot(way_j[v]) + per_r * d.dot(way_i[u]) * along_j);
+      }
     }
-    K(i, i) += options.value_ridge;
-    const Mat3 along = points[i].normal * points[i].normal.transpose();
-    K.block<3, 3>(n + 3 * i, n + 3 * i) +=
-        options.tangent_ridge * (Mat3::Identity() - along) + options.length_ridge * along;
-    P.row(i) = monomials(c[i]).transpose();
-    P.middleRows<3>(n + 3 * i) = monomial_gradients(c[i]);
-    rhs.segment<3>(n + 3 * i) = points[i].normal;
+    K(j, j) += options.value_ridge;
+    P(j, 0) = 1;
+    P.block<1, 3>(j, 1) = c[j].transpose();
+    for (int v = 0; v < 2; ++v) {
+      K(n + 2 * j + v, n + 2 * j + v) += options.slope_ridge;
+      P.block<1, 3>(n + 2 * j + v, 1) = way_j[v].transpose();
+    }
+    rhs[n + 2 * j] = 1;
   }
-  if (options.quadric > 0) K += options.quadric * P.rightCols<6>() * P.rightCols<6>().transpose();
 
   // K is positive definite for what no linear function sees: Cholesky in that subspace.
-  const Eigen::HouseholderQR<Matrix> qr(P.leftCols<4>());
-  const int m = 4 * n - 4;
+  const Eigen::HouseholderQR<Matrix> qr(P);
+  const int m = 3 * n - 4;
   K.applyOnTheLeft(qr.householderQ().adjoint());
   K.applyOnTheRight(qr.householderQ());
   const Eigen::VectorXd q_rhs = qr.householderQ().adjoint() * rhs;
   const Eigen::LLT<Matrix> llt(K.bottomRightCorner(m, m));
-  Eigen::VectorXd solution = Eigen::VectorXd::Zero(4 * n);
+  Eigen::VectorXd solution = Eigen::VectorXd::Zero(3 * n);
   solution.tail(m) = llt.solve(q_rhs.tail(m));
-  const Eigen::Vector4d linear =
-      qr.matrixQR().topLeftCorner<4, 4>().triangularView<Eigen::Upper>().solve(
-          q_rhs.head<4>() - K.topRightCorner(4, m) * solution.tail(m));
+  linear_ = qr.matrixQR().topLeftCorner<4, 4>().triangularView<Eigen::Upper>().solve(
+                q_rhs.head<4>() - K.topRightCorner(4, m) * solution.tail(m)) *
+            scale_;
   solution = qr.householderQ() * solution;
 
-  polynomial_.setZero();
-  polynomial_.head<4>() = linear;
-  if (options.quadric > 0)
-    polynomial_.tail<6>() = options.quadric * P.rightCols<6>().transpose() * solution;
-  polynomial_ *= scale_;
   terms_.resize(7, n);
   for (int i = 0; i < n; ++i) {
+    const Vec3 b =
+        solution[n + 2 * i] * points[i].normal + solution[n + 2 * i + 1] * points[i].sight;
     terms_.col(i).head<3>() = c[i].cast<float>();
     terms_(3, i) = float(solution[i] * scale_);
-    terms_.col(i).tail<3>() = (solution.segment<3>(n + 3 * i) * (3 * scale_)).cast<float>();
+    terms_.col(i).tail<3>() = (3 * scale_ * b).cast<float>();
   }
 }
 
@@ -145,7 +130,7 @@ void HermiteSurface::values(const Vec3& start, const Vec3& step, int n, float* v
     float x[kLanes], y[kLanes], z[kLanes], sum[kLanes];
     for (int l = 0; l < kLanes; ++l) {
       const Vec3 p = (start + (from + l) * step - centre_) / scale_;
-      sum[l] = float(polynomial_.dot(monomials(p)));
+      sum[l] = float(linear_[0] + linear_.tail<3>().dot(p));
       x[l] = float(p.x());
       y[l] = float(p.y());
       z[l] = float(p.z());
@@ -162,7 +147,7 @@ void HermiteSurface::values(const Vec3& start, const Vec3& step, int n, float* v
   }
 }
 
-void raise(const HermiteSurface& f, double above, Grid3<float>& field) {
+void raise(const Rows& f, double above, Grid3<float>& field) {
   // Coarse cell (i, j, k) holds the fine samples 4 · (i, j, k) + 0 … 3; its corner is coarse sample
   // (i + 1, j + 1, k + 1), one more all round.
   const Index3 cells = (field.size.array() + kCoarse - 1) / kCoarse;
@@ -195,7 +180,7 @@ void raise(const HermiteSurface& f, double above, Grid3<float>& field) {
         int end = i;
         while (end < coarse.size.x() && read[coarse.index(end, j, k)]) ++end;
         if (end > i)
-          f.values(coarse.position(i, j, k), Vec3(coarse.cell, 0, 0), end - i, &coarse(i, j, k));
+          f(coarse.position(i, j, k), Vec3(coarse.cell, 0, 0), end - i, &coarse(i, j, k));
         i = end + 1;
       }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/trigonometry.h"
 #include "model/part_tree.h"
 
 namespace artisketch {
@@ -24,7 +25,7 @@ std::optional<double> radius_about(const Grid3<float>& g, const Segment& axis, b
     if (!g.box().contains(from) || sample(g, from) >= 0) continue;
     for (int r = 0; r < kRays; ++r) {
       const double angle = 2 * kPi * r / kRays;
-      const Vec3 out = std::cos(angle) * u + std::sin(angle) * w;
+      const Vec3 out = cosine(angle) * u + sine(angle) * w;
       // Steps of the sampled distance itself, at least half a cell.
       double reach = 0;
       while (g.box().contains(from + reach * out)) {

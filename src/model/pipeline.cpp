@@ -1,6 +1,8 @@
 // The whole of it, as the paper's section 1.3 tells it: calibrate the poses, reconstruct every
 // part, make them one skin, bind that to the skeleton.
+#include "base/blocking.h"
 #include "model/mirror.h"
+#include "model/part_cache.h"
 #include "model/stage_clock.h"
 #include "model/stages.h"
 
@@ -15,6 +17,7 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& from) 
 
 Result<Reconstruction> reconstruct(const Document& document, const PipelineOptions& options,
                                    Run& run) {
+  fix_blocking();
   Reconstruction out;
   StageClock stages(run, out.stages);
   out.calibrated = document;
@@ -35,8 +38,10 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   double cells = 0, part_vertices = 0;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     stages.part(parts[p].name, int(p), int(parts.size()), 0.3, 0.8);
-    Result<PartSurface> surface =
-        reconstruct_part(parts[p], {options.method, options.grid, options.visual_hull}, run);
+    const SurfaceOptions surface_options{options.method, options.grid, options.visual_hull};
+    Result<PartSurface> surface = options.cache
+                                      ? options.cache->surface(parts[p], surface_options, run)
+                                      : reconstruct_part(parts[p], surface_options, run);
     if (!surface) return surface.error();
     append(out.warnings, surface->warnings);
     cells += double(surface->distance.values.size());

@@ -5,6 +5,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "base/trigonometry.h"
+
 namespace artisketch {
 namespace {
 
@@ -17,18 +19,13 @@ Mat3 cross_matrix(const Vec3& v) {
   return m;
 }
 
-Quat rotation(const Vec3& v) {
-  const double angle = v.norm();
-  return angle > 0 ? Quat(Eigen::AngleAxisd(angle, v / angle)) : Quat::Identity();
-}
-
 // exp(v + d) ≈ exp(J d) exp(v): the left Jacobian of the rotation vector.
 Mat3 left_jacobian(const Vec3& v) {
   const double angle = v.norm();
   const Mat3 K = cross_matrix(v);
   if (angle < 1e-4) return Mat3::Identity() + K / 2 + K * K / 6;
-  return Mat3::Identity() + K * ((1 - std::cos(angle)) / (angle * angle)) +
-         K * K * ((angle - std::sin(angle)) / (angle * angle * angle));
+  return Mat3::Identity() + K * ((1 - cosine(angle)) / (angle * angle)) +
+         K * K * ((angle - sine(angle)) / (angle * angle * angle));
 }
 
 // Just inside, so that rounding on the way to a quaternion and back stays within the limit.
@@ -43,6 +40,13 @@ Vec3 clamped(const Vec3& v, double bound) {
 
 }  // namespace
 
+Quat rotation_by(const Vec3& v) {
+  const double angle = v.norm();
+  if (angle == 0) return Quat::Identity();
+  const Vec3 axis = v / angle * sine(angle / 2);
+  return {cosine(angle / 2), axis.x(), axis.y(), axis.z()};
+}
+
 PoseChange no_change(const Document& document) {
   FrameChange none;
   none.rotation.assign(document.skeleton.size(), Vec3::Zero());
@@ -53,7 +57,7 @@ Pose changed(const Pose& pose, const FrameChange& change) {
   Pose moved = pose;
   for (std::size_t j = 0; j < moved.rotations.size(); ++j)
     if (!change.rotation[j].isZero(0))
-      moved.rotations[j] = (pose.rotations[j] * rotation(change.rotation[j])).normalized();
+      moved.rotations[j] = (pose.rotations[j] * rotation_by(change.rotation[j])).normalized();
   moved.root_position += change.translation;
   return moved;
 }

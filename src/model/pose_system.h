@@ -19,6 +19,8 @@ struct FrameChange {
 };
 using PoseChange = std::vector<FrameChange>;  // one per frame
 
+Quat rotation_by(const Vec3& v);  // about v, by its length in radians
+
 PoseChange no_change(const Document& document);
 Pose changed(const Pose& pose, const FrameChange& change);  // unturned joints keep their bits
 

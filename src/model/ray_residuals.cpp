@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kDrawnSize = 500;      // pixels: the figure in which unit() is a pixel
 constexpr double kLeastUnit = 0.5;      // pixels: nobody draws finer
+constexpr int kLeastRays = 8;          // of a contour
 constexpr double kMargin = 6;           // of an outline's raster about its box, in unit()
 constexpr double kMostSamples = 200;    // of a raster along a side
 constexpr double kReach = 1.3;          // of a part's radius: poses may be that far off
@@ -163,6 +164,20 @@ Vec3 RayResiduals::Part::middle(const Placement& placement) const {
     b += across * (to_world.inverse() * ray.origin);
   }
   return A.inverse() * b;
+}
+
+RayResiduals RayResiduals::thinned(int most) const {
+  RayResiduals fewer = *this;
+  for (Part& part : fewer.parts_) {
+    const int wanted = std::max(kLeastRays, most / int(part.views.size() - 1));
+    for (View& view : part.views) {
+      const std::size_t all = view.points.size(), kept = std::min<std::size_t>(all, wanted);
+      for (std::size_t i = 0; i < kept; ++i) view.points[i] = view.points[i * all / kept];
+      view.points.resize(kept);
+      view.weight *= double(all) / double(kept);
+    }
+  }
+  return fewer;
 }
 
 RayResiduals RayResiduals::of(const std::vector<char>& joints) const {

@@ -50,6 +50,10 @@ class RayResiduals {
   RayResiduals(const Document& document, double step, int most);
 
   const std::vector<Part>& parts() const { return parts_; }
+  // The same with fewer rays a contour where more frames show a part, at most `most` times a frame
+  // that they are held against: cost would grow with the square of the frames, and what rays say
+  // does not.
+  RayResiduals thinned(int most) const;
   // The same for the parts of some joints alone (per joint: whether it's wanted).
   RayResiduals of(const std::vector<char>& joints) const;
   // The drawing's own pixel: what counts as one in a figure drawn some 500 pixels large. Energies

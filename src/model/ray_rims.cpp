@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Dense>
+
 namespace artisketch {
 namespace {
 
@@ -139,35 +141,75 @@ void choose_depths(const Carving& carving, const Box3& box, RayRim& rim) {
   if (n / 2 == 0) rim.rays[0].depth = depths[0].at(k);
 }
 
-void detect_depths(const Carving& carving, const Box3& box, const HermiteSurface& f, RayRim& rim) {
-  const Others others = others_of(carving, rim.view);
-  for (RimRay& ray : rim.rays) {
-    const Depths depths = depths_of(box, ray.ray);
-    float values[kDepths];
-    f.values(ray.ray.at(depths.first), depths.step * ray.ray.direction, kDepths, values);
-    for (int k = 0; k < kDepths; ++k)
-      values[k] += float(2 * std::max(0.0, others.distance(ray.ray.at(depths.at(k)))));
-    const int best = int(std::min_element(values, values + kDepths) - values);
-    double at = best;
-    if (best > 0 && best + 1 < kDepths) {  // the parabola through three samples
-      const double a = values[best - 1], b = values[best], c = values[best + 1];
-      const double curve = a - 2 * b + c;
-      if (curve > 0) at += std::clamp((a - c) / (2 * curve), -0.5, 0.5);
-    }
-    ray.depth = depths.at(at);
-  }
+namespace {
+
+// Where f is least along a ray, and how sharply it bends there.
+struct Least {
+  double depth = 0, bend = 0;
+};
+Least least_along(const Ray& ray, const Depths& depths, const HermiteSurface& f,
+                  const Others& others) {
+  float values[kDepths];
+  f.values(ray.at(depths.first), depths.step * ray.direction, kDepths, values);
+  for (int k = 0; k < kDepths; ++k)
+    values[k] += float(2 * std::max(0.0, others.distance(ray.at(depths.at(k)))));
+  const int best = int(std::min_element(values, values + kDepths) - values);
+  if (best == 0 || best + 1 == kDepths) return {depths.at(best), 0};
+  // The parabola through three samples.
+  const double a = values[best - 1], b = values[best], c = values[best + 1];
+  const double bend = a - 2 * b + c;
+  if (!(bend > 0)) return {depths.at(best), 0};
+  return {depths.at(best + std::clamp((a - c) / (2 * bend), -0.5, 0.5)),
+          bend / (depths.step * depths.step)};
 }
 
-std::vector<SurfacePoint> surface_points(const Carving& carving, const std::vector<RayRim>& rims) {
+}  // namespace
+
+void detect_depths(const Carving& carving, const Box3& box, const HermiteSurface& f, RayRim& rim) {
+  const Others others = others_of(carving, rim.view);
+  const int n = int(rim.rays.size());
+  const double R = carving.radius;
+  // Least squares: each depth near the one found, as firmly as f bends there though no more than a
+  // ball of the part's size would, and near its neighbours' depths. Where f is flat along the rays
+  // the neighbours decide.
+  constexpr double kSmooth = 0.5, kLoosest = 1e-3;
+  const auto step_after = [&](int i) {
+    const RimRay &a = rim.rays[i], &b = rim.rays[(i + 1) % n];
+    return std::max((a.ray.at(a.depth) - b.ray.at(a.depth)).norm(), 1e-3 * R);
+  };
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd rhs(n);
+  for (int i = 0; i < n; ++i) {
+    const int next = (i + 1) % n;
+    const double after = step_after(i), before = step_after((i + n - 1) % n);
+    const Least least = least_along(rim.rays[i].ray, depths_of(box, rim.rays[i].ray), f, others);
+    const double firm = (before + after) / 2 * std::clamp(least.bend, kLoosest / R, 1 / R);
+    A(i, i) += firm;
+    rhs[i] = firm * least.depth;
+    const double tie = kSmooth * R / after;
+    A(i, i) += tie;
+    A(next, next) += tie;
+    A(i, next) -= tie;
+    A(next, i) -= tie;
+  }
+  const Eigen::VectorXd smooth = A.llt().solve(rhs);
+  for (int i = 0; i < n; ++i) rim.rays[i].depth = smooth[i];
+}
+
+std::vector<SurfacePoint> surface_points(const Carving& carving, const std::vector<RayRim>& rims,
+                                         int stride) {
   std::vector<SurfacePoint> points;
   for (const RayRim& rim : rims) {
     const PartView& view = *carving.views[rim.view].view;
-    for (const RimRay& ray : rim.rays) {
+    for (std::size_t i = 0; i < rim.rays.size(); i += std::size_t(stride)) {
+      const RimRay& ray = rim.rays[i];
       const Vec3 p = ray.ray.at(ray.depth);
       const Vec3 X = view.to_world * p;
-      const Vec3 n =
+      const Vec3 along =
           view.to_world.linear().transpose() * (view.camera.jacobian(X).transpose() * ray.outward);
-      if (n.norm() > 0) points.push_back({p, n.normalized()});
+      if (!(along.norm() > 0)) continue;
+      const Vec3 n = along.normalized();
+      points.push_back({p, n, (ray.ray.direction - ray.ray.direction.dot(n) * n).normalized()});
     }
   }
   return points;

@@ -32,11 +32,13 @@ std::vector<RayRim> outline_rays(const Silhouette& silhouette, int count);
 // rim's own direction say nothing of depth and are left out.
 void choose_depths(const Carving& carving, const Box3& box, RayRim& rim);
 
-// Moves each point to where f is least along its ray inside the other views' outlines: there the
-// surface that f describes is nearest to touching the ray.
+// Moves the points to where f is least along their rays inside the other views' outlines: there the
+// surface that f describes is nearest to touching the ray. Neighbours keep together where f hardly
+// tells one depth from another.
 void detect_depths(const Carving& carving, const Box3& box, const HermiteSurface& f, RayRim& rim);
 
-// The rims' points with the outlines' normals, back-projected.
-std::vector<SurfacePoint> surface_points(const Carving& carving, const std::vector<RayRim>& rims);
+// Every stride-th of the rims' points with the outlines' normals, back-projected.
+std::vector<SurfacePoint> surface_points(const Carving& carving, const std::vector<RayRim>& rims,
+                                         int stride = 1);
 
 }  // namespace artisketch

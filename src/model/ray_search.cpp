@@ -1,6 +1,6 @@
 #include "model/ray_search.h"
 
-#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace artisketch {
@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr int kSamples = 13;  // along the reach: a part's silhouettes are rarely finer than that
-constexpr int kRefinements = 7;
+constexpr int kRefinements = 10;
+constexpr double kSettled = 1e-3;  // of the step between samples
 
 }  // namespace
 
@@ -34,18 +35,19 @@ double RaySearch::sum_up_to(double enough, double t) const {
   return total;
 }
 
-double RaySearch::sum(double t, double& half_slope) const {
-  double total = 0;
-  half_slope = 0;
+RaySearch::Sum RaySearch::sum(double t) const {
+  Sum sum;
   for (std::size_t v = 0; v < rays.size(); ++v) {
-    if (!rays[v].in_front(t)) return kNever;
+    if (!rays[v].in_front(t)) return {kNever, 0, 0};
     Vec2 along, gradient;
     const double sd = outlines[v]->distance(rays[v].pixel(t, along), gradient);
     if (sd <= 0) continue;
-    total += sd * sd;
-    half_slope += sd * gradient.dot(along);
+    const double by_depth = gradient.dot(along);
+    sum.value += sd * sd;
+    sum.half_slope += sd * by_depth;
+    sum.half_bend += by_depth * by_depth;
   }
-  return total;
+  return sum;
 }
 
 double RaySearch::best_depth(double reach, double& least) const {
@@ -62,22 +64,20 @@ double RaySearch::best_depth(double reach, double& least) const {
     }
   }
   if (least == 0 || least == kNever) return at;
-  // The zero of the slope beside the best sample: by false position kept off the ends, halving
-  // until there is a slope on both sides.
-  double low = at - step, high = at + step, low_slope = 0, high_slope = 0, t = at;
+  // The zero of the slope beside the best sample: Gauss–Newton, kept between slopes of both signs.
+  double low = at - step, high = at + step, t = at;
   for (int i = 0; i < kRefinements; ++i) {
-    double slope;
-    const double value = sum(t, slope);
-    if (value < least) {
-      least = value;
+    const Sum here = sum(t);
+    if (here.value < least) {
+      least = here.value;
       at = t;
     }
-    if (least == 0 || slope == 0) break;
-    (slope > 0 ? high : low) = t;
-    (slope > 0 ? high_slope : low_slope) = slope;
-    const bool both = low_slope < 0 && high_slope > 0;
-    const double w = both ? std::clamp(low_slope / (low_slope - high_slope), 0.1, 0.9) : 0.5;
-    t = low + w * (high - low);
+    if (least == 0 || here.half_slope == 0) break;
+    (here.half_slope > 0 ? high : low) = t;
+    double next = t - here.half_slope / here.half_bend;
+    if (!(next > low && next < high)) next = (low + high) / 2;
+    if (std::abs(next - t) < kSettled * step) break;
+    t = next;
   }
   return at;
 }

@@ -41,7 +41,10 @@ struct RaySearch {
   double best_depth(double reach, double& least) const;
 
  private:
-  double sum(double t, double& half_slope) const;
+  struct Sum {
+    double value = 0, half_slope = 0, half_bend = 0;  // the bend where distances are linear
+  };
+  Sum sum(double t) const;
   double sum_up_to(double enough, double t) const;  // at least `enough` where it's more than that
 };
 

@@ -1,13 +1,51 @@
 #include "model/rays_field.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "model/agreement.h"
+#include "model/bulge.h"
 #include "model/inflate.h"
 #include "model/mirror.h"
+#include "model/thin_parts.h"
 
 namespace artisketch {
+namespace {
+
+// Raises the hull to f, bulging `fatness` times as far between the rims. What would lose its middle
+// when thinned that much is thinned less.
+void raise_plump(const HermiteSurface& f, const std::vector<RayRim>& rims, double radius,
+                 double fatness, Grid3<float>& hull) {
+  const double above = 3 * hull.cell;
+  const Bulge bulge(rims, radius);
+  const auto raised = [&](double times) {
+    Grid3<float> field = hull;
+    const auto rows = [&](const Vec3& start, const Vec3& step, int n, float* values) {
+      f.values(start, step, n, values);
+      for (int i = 0; i < n && times != 1; ++i)
+        values[i] -= float((times - 1) * bulge.height(start + i * step));
+    };
+    raise(rows, above, field);
+    return field;
+  };
+  Grid3<float> field = raised(fatness);
+  // Rims of views that contradict each other may leave next to nothing: the hull is better.
+  const auto inside = [](const Grid3<float>& g) {
+    return std::count_if(g.values.begin(), g.values.end(), [](float v) { return v < 0; });
+  };
+  constexpr double kLeast = 0.35;  // share of the hull
+  if (fatness >= 1 && double(inside(field)) < kLeast * double(inside(hull))) return;
+  if (fatness < 1) {
+    const Result<Mesh> plain = isosurface(raised(1));
+    for (int tries = 0; plain && tries < 4; ++tries) {
+      if (alike(*plain, isosurface(field), hull.cell)) break;
+      fatness = (1 + fatness) / 2;
+      field = raised(fatness);
+    }
+  }
+  hull = std::move(field);
+}
+
+}  // namespace
 
 Result<RaysField> rays_field(const Part& part, const RaysFieldOptions& options, Run& run) {
   RaysField out;
@@ -27,26 +65,35 @@ Result<RaysField> rays_field(const Part& part, const RaysFieldOptions& options, 
   // A mirrored outline from a direction that another one has already seen adds nothing but the
   // doubt whether both are right.
   std::vector<Vec3> directions;
+  const int rays = std::clamp(int(options.rays_per_cell * options.cells), 24, 96);
   for (int v = 0; v < int(carving->views.size()); ++v) {
     const Silhouette& view = carving->views[v];
     const bool seen = std::any_of(directions.begin(), directions.end(),
                                   [&](const Vec3& d) { return same_direction(d, view.direction); });
     if (view.view->mirrored && seen) continue;
     directions.push_back(view.direction);
-    for (RayRim& rim : outline_rays(view, options.rays_per_view)) {
+    for (RayRim& rim : outline_rays(view, rays)) {
       rim.view = v;
       out.rims.push_back(std::move(rim));
     }
   }
   for (RayRim& rim : out.rims) choose_depths(*carving, box, rim);
-  std::optional<HermiteSurface> f;
-  for (int pass = 0; pass <= options.refits; ++pass) {
+  // The depths are sought on looser and coarser surfaces, which don't fold to pass through points
+  // whose depths are still wrong.
+  constexpr double kLooser = 40;
+  constexpr int kCoarser = 2;
+  HermiteOptions fine = options.surface;
+  fine.length = carving->radius;
+  HermiteOptions rough = fine;
+  rough.value_ridge *= kLooser;
+  for (int pass = 0; pass < options.refits; ++pass) {
     if (run.cancelled()) return cancelled();
-    if (f)
-      for (RayRim& rim : out.rims) detect_depths(*carving, box, *f, rim);
-    f.emplace(surface_points(*carving, out.rims), options.surface);
+    const HermiteSurface f(surface_points(*carving, out.rims, kCoarser), rough);
+    for (RayRim& rim : out.rims) detect_depths(*carving, box, f, rim);
   }
-  raise(*f, 3 * out.distance.cell, out.distance);
+  if (run.cancelled()) return cancelled();
+  const HermiteSurface f(surface_points(*carving, out.rims), fine);
+  raise_plump(f, out.rims, carving->radius, part.fatness, out.distance);
   for (const RayRim& rim : out.rims) out.rim_frames.push_back(carving->views[rim.view].view->frame);
   return out;
 }

@@ -9,9 +9,9 @@
 namespace artisketch {
 
 struct RaysFieldOptions {
-  int cells = 100;         // along the longest side of the grid
-  int rays_per_view = 48;  // on which rims are sought
-  int refits = 2;          // times that the rims are sought again on the surface they gave
+  int cells = 100;              // along the longest side of the grid
+  double rays_per_cell = 0.64;  // rays per view and `cells` on which rims are sought, 24 … 96
+  int refits = 2;               // times that the rims are sought again on the surface they gave
   HermiteOptions surface;
 };
 

@@ -242,6 +242,8 @@ Result<Model> textured(const Document& calibrated, std::span<const Picture> draw
 
 // ---------------------------------------------------------------- the whole
 
+class PartCache;
+
 struct PipelineOptions {
   Method method = kDefaultMethod;
   int grid = 100;
@@ -250,6 +252,7 @@ struct PipelineOptions {
   int triangles = 15000;          // of the model, about
   bool mirror = true;             // joints see their mirror images' contours, where these agree
   std::vector<Picture> drawings;  // one per frame, to colour the model with; none: plain
+  PartCache* cache = nullptr;     // keeps the parts' surfaces from one run to the next (part_cache.h)
 };
 
 struct StageTime {

@@ -1,8 +1,11 @@
 // A part's surface by its contour rays: the default method. Steps in rays_field.
-#include "base/mesh_distance.h"
+#include "base/redistance.h"
 #include "model/rays_field.h"
 
 namespace artisketch {
+
+// Cells within which the part's distances are true.
+constexpr double kBand = 4;
 
 Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options, Run& run) {
   PartSurface out;
@@ -22,7 +25,7 @@ Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options
   Result<Mesh> mesh = isosurface(out.distance);
   if (!mesh) return mesh.error();
   out.mesh = std::move(*mesh);
-  mesh_distance(out.mesh, 4, out.distance);
+  redistance(kBand, out.distance);
   return out;
 }
 

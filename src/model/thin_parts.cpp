@@ -37,15 +37,15 @@ void dilate(const Index3& size, int axis, int reach, std::vector<std::uint8_t>& 
     }
 }
 
-bool alike(const Mesh& mesh, const Result<Mesh>& sampled, double cell) {
-  if (!sampled) return false;
-  const Box3 a = bounds(mesh.V), b = bounds(sampled->V);
-  return topology(mesh).genus() == topology(*sampled).genus() &&
+}  // namespace
+
+bool alike(const Mesh& mesh, const Result<Mesh>& other, double cell) {
+  if (!other) return false;
+  const Box3 a = bounds(mesh.V), b = bounds(other->V);
+  return topology(mesh).genus() == topology(*other).genus() &&
          (a.min() - b.min()).cwiseAbs().maxCoeff() < 2 * cell &&
          (a.max() - b.max()).cwiseAbs().maxCoeff() < 2 * cell;
 }
-
-}  // namespace
 
 bool is_thin(const Grid3<float>& field) {
   std::vector<std::uint8_t> deep(field.values.size());

@@ -327,6 +327,24 @@ TEST(CalibrateRays, AJointWithoutContoursTurnsOnlyWhereItsChildrenNeedIt) {
   EXPECT_LT((hand(found.poses[1]) - wanted).norm(), 0.5 * (hand(pose) - wanted).norm());
 }
 
+TEST(CalibrateRays, DrawingsMayHaveDifferentSizes) {
+  const Document d = sketched(human(1), 3, Camera::Type::perspective, 8).given;
+  // The second drawing on a larger sheet, its middle where it was on the figure.
+  Document wide = d;
+  Frame& frame = wide.frames[1];
+  const Vec2 shift(130, 45);
+  frame.principal_point = frame_camera(d, 1).principal_point + shift;
+  frame.width += 400;
+  frame.height += 90;
+  for (Contour& contour : frame.contours)
+    for (Vec2& p : contour.line.points) p += shift;
+  const Calibration a = calibrated(d), b = calibrated(wide);
+  for (int f = 0; f < 3; ++f) {
+    const PoseErrors apart = pose_errors(human(1), frame_camera(d, f), a.poses[f], b.poses[f]);
+    EXPECT_LT(apart.joint_px, 0.5);
+  }
+}
+
 // ---------------------------------------------------------------- drawings that disagree
 
 TEST(CalibrateRays, NeverAgreesLessThanTheUsersPoses) {

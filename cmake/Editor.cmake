@@ -1,0 +1,121 @@
+# The editor: one library for the window and the page, on Dear ImGui, SDL2 and OpenGL ES 3 (WebGL2).
+# It is built when asked for (`./dev edit`), and only where its needs are met: Dear ImGui's sources
+# (./dev fetches Debian's), SDL2, the two fonts and fontTools to subset them.
+
+set(ARTISKETCH_IMGUI_SOURCE "${PROJECT_SOURCE_DIR}/build/sources/imgui"
+    CACHE PATH "Folder of Dear ImGui's sources, 1.90")
+set(ARTISKETCH_INTER_DIR "/usr/share/fonts/opentype/inter" CACHE PATH "Folder of Inter-*.otf")
+set(ARTISKETCH_ICONS_DIR "/usr/share/fonts/truetype/materialdesignicons-webfont"
+    CACHE PATH "Folder of materialdesignicons-webfont.ttf")
+# Debian's Python holds Debian's fontTools, whichever Python comes first on the PATH.
+find_program(ARTISKETCH_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH
+             DOC "Python with fontTools")
+find_program(ARTISKETCH_PYTHON NAMES python3)
+
+find_package(SDL2 QUIET)
+foreach(need IN ITEMS "${ARTISKETCH_IMGUI_SOURCE}/imgui.cpp" "${ARTISKETCH_INTER_DIR}/Inter-Regular.otf"
+        "${ARTISKETCH_ICONS_DIR}/materialdesignicons-webfont.ttf")
+  if(NOT EXISTS "${need}")
+    message(STATUS "No editor: ${need} was not found")
+    return()
+  endif()
+endforeach()
+if(NOT SDL2_FOUND)
+  message(STATUS "No editor: SDL2 was not found")
+  return()
+endif()
+
+# ---------------------------------------------------------------- Dear ImGui
+
+add_library(artisketch_imgui STATIC EXCLUDE_FROM_ALL
+  "${ARTISKETCH_IMGUI_SOURCE}/imgui.cpp"
+  "${ARTISKETCH_IMGUI_SOURCE}/imgui_draw.cpp"
+  "${ARTISKETCH_IMGUI_SOURCE}/imgui_tables.cpp"
+  "${ARTISKETCH_IMGUI_SOURCE}/imgui_widgets.cpp"
+  "${ARTISKETCH_IMGUI_SOURCE}/backends/imgui_impl_sdl2.cpp"
+  "${ARTISKETCH_IMGUI_SOURCE}/backends/imgui_impl_opengl3.cpp"
+)
+target_include_directories(artisketch_imgui SYSTEM PUBLIC "${ARTISKETCH_IMGUI_SOURCE}"
+                           "${ARTISKETCH_IMGUI_SOURCE}/backends")
+target_compile_definitions(artisketch_imgui PUBLIC
+  IMGUI_IMPL_OPENGL_ES3 IMGUI_DISABLE_OBSOLETE_FUNCTIONS IMGUI_DISABLE_DEMO_WINDOWS
+  IMGUI_DISABLE_DEBUG_TOOLS IMGUI_DISABLE_DEFAULT_FONT ImDrawIdx=unsigned)
+if(TARGET SDL2::SDL2)
+  target_link_libraries(artisketch_imgui PUBLIC SDL2::SDL2)
+else()
+  target_link_libraries(artisketch_imgui PUBLIC SDL2::SDL2-static)
+endif()
+if(NOT EMSCRIPTEN)
+  target_link_libraries(artisketch_imgui PUBLIC GLESv2)
+endif()
+
+# ---------------------------------------------------------------- fonts
+
+# Subsets `input` to `unicodes` and embeds it as embedded::NAME. Dear ImGui neither kerns nor hints,
+# so what serves only that goes too.
+set(embedded "${PROJECT_BINARY_DIR}/embedded")
+file(MAKE_DIRECTORY "${embedded}")
+function(artisketch_embedded_font name input unicodes)
+  cmake_path(GET input EXTENSION extension)
+  set(subset "${embedded}/${name}${extension}")
+  add_custom_command(OUTPUT "${embedded}/${name}.cpp" VERBATIM
+    COMMAND "${ARTISKETCH_PYTHON}" -m fontTools.subset "${input}" "--output-file=${subset}"
+            "--unicodes=${unicodes}" --layout-features= --no-hinting --desubroutinize
+            --name-IDs= --drop-tables+=GPOS,GSUB,GDEF,BASE,STAT,DSIG
+    COMMAND "${CMAKE_COMMAND}" "-DINPUT=${subset}" "-DOUTPUT=${embedded}/${name}.cpp"
+            -DNAME=${name} -P "${PROJECT_SOURCE_DIR}/cmake/EmbedFile.cmake"
+    DEPENDS "${input}" "${PROJECT_SOURCE_DIR}/cmake/EmbedFile.cmake" COMMENT "Subsetting ${name}")
+endfunction()
+
+# Latin with its accents, Greek, Cyrillic; the punctuation and signs that the editor's words use.
+set(letters "U+20-7E,U+A0-17F,U+386-3CE,U+400-45F,U+2010-2026,U+2030,U+20AC,U+2190-2193,U+2212,U+2318,U+21E7")
+artisketch_embedded_font(kInterRegular "${ARTISKETCH_INTER_DIR}/Inter-Regular.otf" "${letters}")
+artisketch_embedded_font(kInterSemiBold "${ARTISKETCH_INTER_DIR}/Inter-SemiBold.otf" "${letters}")
+
+# icons.h is the list of the icons in use.
+file(STRINGS "${PROJECT_SOURCE_DIR}/src/editor/icons.h" icons REGEX "// U\\+")
+list(TRANSFORM icons REPLACE ".*// (U\\+[0-9A-F]+).*" "\\1")
+list(JOIN icons "," icons)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS src/editor/icons.h)
+artisketch_embedded_font(kIcons "${ARTISKETCH_ICONS_DIR}/materialdesignicons-webfont.ttf" "${icons}")
+
+# ---------------------------------------------------------------- the editor
+
+add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
+  # 5  editor: ImGui and GL only here
+  src/editor/theme.cpp
+  src/editor/fonts.cpp
+  src/editor/window.cpp
+  src/editor/ui.cpp
+  src/editor/commands.cpp
+  src/editor/drawings.cpp
+  src/editor/eye.cpp
+  src/editor/model_picture.cpp
+  src/editor/sketch_paint.cpp
+  src/editor/work.cpp
+  src/editor/files.cpp
+  src/editor/perform.cpp
+  src/editor/layout.cpp
+  src/editor/top_bar.cpp
+  src/editor/tool_rail.cpp
+  src/editor/canvas.cpp
+  src/editor/tools.cpp
+  src/editor/model_view.cpp
+  src/editor/inspector.cpp
+  src/editor/pose_panel.cpp
+  src/editor/export_sheet.cpp
+  src/editor/strip.cpp
+  src/editor/sheets.cpp
+  src/editor/welcome.cpp
+  src/editor/editor.cpp
+  "${embedded}/kInterRegular.cpp"
+  "${embedded}/kInterSemiBold.cpp"
+  "${embedded}/kIcons.cpp"
+)
+target_link_libraries(artisketch_editor PUBLIC artisketch_core artisketch_imgui
+                      PRIVATE artisketch_warnings)
+
+if(NOT EMSCRIPTEN)
+  add_executable(artisketch-editor EXCLUDE_FROM_ALL native_main/editor_main.cpp native_main/desktop.cpp native_main/script.cpp)
+  target_link_libraries(artisketch-editor PRIVATE artisketch_editor artisketch::json artisketch_warnings)
+endif()

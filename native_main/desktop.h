@@ -1,0 +1,54 @@
+// The desktop as the editor's place: files by path, dialogs by zenity or kdialog where there is
+// one.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "editor/platform.h"
+
+struct SDL_Window;
+
+namespace artisketch {
+
+class Desktop : public Platform {
+ public:
+  // examples: folder of NAME/NAME.artisketch and NAME/NAME.glb.
+  explicit Desktop(std::filesystem::path examples);
+  ~Desktop() override;
+
+  void attach(SDL_Window* window) { window_ = window; }
+  // Hands over what dialogs brought; on the drawing thread, between two frames.
+  void deliver();
+
+  bool has_dialogs() override;
+  void open_files(Kind kind, Opened then) override;
+  void save_file(const std::string& name, const std::string& place, std::string bytes,
+                 std::function<void(Result<Saved>)> then) override;
+  std::vector<Recent> recents() override;
+  void open_recent(const std::string& place, Opened then) override;
+  void store(const std::string& key, std::string bytes) override;
+  void load(const std::string& key, std::function<void(std::string)> then) override;
+  std::vector<std::string> examples() override;
+  void load_example(const std::string& name, std::function<void(Result<Example>)> then) override;
+  void set_title(const std::string& title, bool unsaved) override;
+  bool prefers_dark() override { return true; }
+  int default_grid() override { return 100; }
+  void request_frame() override;
+  bool mac_keys() override;
+
+ private:
+  // Runs a dialog's command; the lines that it prints come to `then` through deliver().
+  void ask(std::string command, std::function<void(std::vector<std::string>)> then);
+  void remember(const std::string& place);
+
+  std::filesystem::path examples_, kept_;
+  SDL_Window* window_ = nullptr;
+  std::thread asking_;
+  std::mutex mutex_;
+  std::vector<std::function<void()>> news_;
+};
+
+}  // namespace artisketch

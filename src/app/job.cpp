@@ -1,0 +1,96 @@
+#include "app/job.h"
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+
+#include "files/document_file.h"
+#include "files/gltf.h"
+#include "files/report_file.h"
+
+namespace artisketch {
+namespace {
+
+constexpr const char* kFaultsCallIt = "document";
+
+// Fields of the finest parts take tens of megabytes; meshes and curves are what is looked at.
+void drop_fields(Trace& trace) {
+  std::erase_if(trace.entries, [](const Trace::Entry& entry) {
+    return std::holds_alternative<Grid3<float>>(entry.what);
+  });
+}
+
+Result<JobResult> run_reconstruction(const Document& document, const JobRequest& request,
+                                     Run& run) {
+  Result<Reconstruction> made = reconstruct(document, request.options, run);
+  if (!made) return made.error();
+  Result<std::string> glb = glb_bytes(made->model);
+  if (!glb) return glb.error();
+  JobResult out;
+  out.document = document_text(made->calibrated);
+  out.glb = std::move(*glb);
+  out.report = report_text(document, *made);
+  if (!request.options.visual_hull) out.spheres = joint_spheres(made->calibrated, made->parts);
+  if (made->calibration) {
+    out.coverage = std::move(made->calibration->coverage);
+    out.undetermined = std::move(made->calibration->undetermined);
+  }
+  out.fits = std::move(made->fits);
+  out.warnings = std::move(made->warnings);
+  return out;
+}
+
+Result<JobResult> run_calibration(const Document& document, const JobRequest& request, Run& run) {
+  run.now.stage = "calibrate";
+  const auto began = std::chrono::steady_clock::now();
+  Result<Calibration> found = calibrate(document, {request.options.method}, run);
+  if (!found) return found.error();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  JobResult out;
+  out.document = document_text(with_poses(document, *found));
+  out.report = report_text(document, *found, seconds);
+  out.coverage = std::move(found->coverage);
+  out.undetermined = std::move(found->undetermined);
+  out.warnings = std::move(found->warnings);
+  return out;
+}
+
+Result<JobResult> run_unguarded(const JobRequest& request, Run& run) {
+  const Result<Document> document = parse_document(request.document, kFaultsCallIt);
+  if (!document) return document.error();
+  Trace trace;
+  if (request.trace) run.trace = &trace;
+  Result<JobResult> result = request.kind == JobRequest::Kind::calibrate
+                                 ? run_calibration(*document, request, run)
+                                 : run_reconstruction(*document, request, run);
+  run.trace = nullptr;
+  if (!result) return result;
+  drop_fields(trace);
+  result->trace = std::move(trace);
+  return result;
+}
+
+}  // namespace
+
+Error out_of_memory(int grid) {
+  std::string fault = "there is not enough memory for a grid of " + std::to_string(grid);
+  if (grid > 32) fault += "; try " + std::to_string(std::max(32, grid * 2 / 3));
+  return {Error::Kind::out_of_memory, {std::move(fault)}};
+}
+
+Error broke_off(const std::string& why) {
+  return {Error::Kind::crashed, {"the computation broke off: " + why}};
+}
+
+Result<JobResult> run_job(const JobRequest& request, Run& run) {
+  try {
+    return run_unguarded(request, run);
+  } catch (const std::bad_alloc&) {
+    return out_of_memory(request.options.grid);
+  } catch (const std::exception& thrown) {
+    return broke_off(thrown.what());
+  }
+}
+
+}  // namespace artisketch

@@ -1,0 +1,61 @@
+// Slow work as the editor asks for it: one job at a time, away from the thread that draws. What
+// goes in and what comes out are plain values that can cross to another thread or to a worker.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "model/stages.h"
+
+namespace artisketch {
+
+struct JobRequest {
+  enum class Kind {
+    reconstruct,  // a model, from calibrated poses if the options say so
+    calibrate,    // poses alone
+  };
+  Kind kind = Kind::reconstruct;
+  std::string document;     // as document_text writes it; drawings, where wanted, as data: URIs
+  PipelineOptions options;  // of a calibration only the method counts
+  bool trace = false;       // keep intermediate meshes and curves
+};
+
+struct JobResult {
+  std::string document;                   // the document at the poses that were used
+  std::string glb;                        // the model; empty for a calibration
+  std::string report;                     // report_text
+  std::vector<FrameFit> fits;             // one per frame; empty for a calibration
+  std::vector<PartCoverage> coverage;     // empty where poses were not calibrated
+  std::vector<JointSphere> spheres;       // that joined the parts
+  std::vector<std::string> undetermined;  // angles that the silhouettes leave open, in words
+  std::vector<std::string> warnings;
+  Trace trace;  // meshes and curves alone: fields are too large to hand over
+};
+
+// Does the job on this thread. Fails as the stages do, and on a document that cannot be read; lack
+// of memory and anything thrown become errors in words.
+Result<JobResult> run_job(const JobRequest& request, Run& run);
+
+// The faults of a job that broke off. `grid` is what was asked for: a coarser one is suggested.
+Error out_of_memory(int grid);
+Error broke_off(const std::string& why);
+
+// Where jobs run. Called from one thread, the one that draws.
+class Jobs {
+ public:
+  virtual ~Jobs() = default;
+
+  // Begins a job; one that is under way is dropped without a word.
+  virtual void start(JobRequest request) = 0;
+  virtual bool busy() const = 0;
+  // How far the job under way is; as it was left where none is.
+  virtual Progress progress() const = 0;
+  // The outcome of the last job, once.
+  virtual std::optional<Result<JobResult>> poll() = 0;
+  // Stops the job under way: busy() is false at once, and poll() gives an error of Kind::cancelled.
+  virtual void cancel() = 0;
+};
+
+}  // namespace artisketch

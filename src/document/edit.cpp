@@ -1,0 +1,279 @@
+#include "document/edit.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace artisketch {
+
+// ---------------------------------------------------------------- names
+
+std::string capitalised(std::string words) {
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = char(words[0] - 'a' + 'A');
+  return words;
+}
+
+JointWords joint_words(const std::string& name) {
+  JointWords words{name, ""};
+  const std::size_t size = name.size();
+  if (size > 2 && std::string("._ ").find(name[size - 2]) != std::string::npos &&
+      std::string("LRlr").find(name[size - 1]) != std::string::npos) {
+    words.side = name[size - 1] == 'L' || name[size - 1] == 'l' ? "L" : "R";
+    words.name = name.substr(0, size - 2);
+  }
+  std::replace(words.name.begin(), words.name.end(), '_', ' ');
+  std::replace(words.name.begin(), words.name.end(), '.', ' ');
+  words.name = capitalised(std::move(words.name));
+  return words;
+}
+
+std::string drawing_words(const Document& document, int frame) {
+  const std::string& name = document.frames.at(frame).name;
+  return name.empty() ? "Drawing " + std::to_string(frame + 1) : capitalised(name);
+}
+
+std::vector<int> parts_to_draw(const Document& document) {
+  std::vector<int> joints = drawn_joints(document);
+  if (!joints.empty()) return joints;
+  for (int j = 0; j < document.skeleton.size(); ++j)
+    if (!document.skeleton.children(j).empty()) joints.push_back(j);
+  return joints;
+}
+
+// ---------------------------------------------------------------- frames
+
+Pose fitted_rest_pose(const Document& document, const Frame& frame) {
+  Pose pose = rest_pose(document.skeleton);
+  pose.root_position.setZero();
+  const std::vector<Vec3> joints = rest_positions(document.skeleton);
+  Box3 box;
+  for (const Vec3& joint : joints) box.extend(joint);
+  if (joints.empty()) return pose;
+  // The middle of the figure at the image's principal point.
+  const Vec3 root = joints[0];
+  pose.root_position = root - box.center();
+  if (frame.principal_point) return pose;
+  pose.root_position.z() = 0;
+  return pose;
+}
+
+Document with_frame(Document document, Frame frame) {
+  if (int(frame.pose.rotations.size()) != document.skeleton.size())
+    frame.pose =
+        document.frames.empty() ? fitted_rest_pose(document, frame) : document.frames.back().pose;
+  document.frames.push_back(std::move(frame));
+  return document;
+}
+
+Document without_frame(Document document, int frame) {
+  assert(frame >= 0 && frame < int(document.frames.size()));
+  document.frames.erase(document.frames.begin() + frame);
+  return document;
+}
+
+Document with_frame_moved(Document document, int frame, int to) {
+  assert(std::max(frame, to) < int(document.frames.size()) && std::min(frame, to) >= 0);
+  Frame moved = std::move(document.frames[frame]);
+  document.frames.erase(document.frames.begin() + frame);
+  document.frames.insert(document.frames.begin() + to, std::move(moved));
+  return document;
+}
+
+Document with_frame_copied(Document document, int frame) {
+  assert(frame >= 0 && frame < int(document.frames.size()));
+  Frame copy = document.frames[frame];
+  copy.name += copy.name.empty() ? "" : " copy";
+  document.frames.insert(document.frames.begin() + frame + 1, std::move(copy));
+  return document;
+}
+
+Document with_pose(Document document, int frame, Pose pose) {
+  document.frames.at(frame).pose = std::move(pose);
+  return document;
+}
+
+// ---------------------------------------------------------------- contours
+
+namespace {
+std::vector<Contour>& contours_in(Document& document, int frame, int contour = 0) {
+  std::vector<Contour>& contours = document.frames.at(frame).contours;
+  assert(contour >= 0 && (contour == 0 || contour < int(contours.size())));
+  (void)contour;
+  return contours;
+}
+}  // namespace
+
+Document with_contour(Document document, int frame, Contour contour) {
+  contours_in(document, frame).push_back(std::move(contour));
+  return document;
+}
+
+Document without_contour(Document document, int frame, int contour) {
+  std::vector<Contour>& contours = contours_in(document, frame, contour);
+  contours.erase(contours.begin() + contour);
+  return document;
+}
+
+Document with_contour_joint(Document document, int frame, int contour, int joint) {
+  contours_in(document, frame, contour)[contour].joint = joint;
+  return document;
+}
+
+Document with_contour_points(Document document, int frame, int contour, std::vector<Vec2> points) {
+  contours_in(document, frame, contour)[contour].line.points = std::move(points);
+  return document;
+}
+
+Document with_contour_shifted(Document document, int frame, int contour, int by) {
+  std::vector<Contour>& contours = contours_in(document, frame, contour);
+  const int to = std::clamp(contour + by, 0, int(contours.size()) - 1);
+  Contour moved = std::move(contours[contour]);
+  contours.erase(contours.begin() + contour);
+  contours.insert(contours.begin() + to, std::move(moved));
+  return document;
+}
+
+namespace {
+
+// A joint's bone in a drawing: where it starts, its direction, its length in pixels. A leaf has
+// the direction of the bone before it.
+struct DrawnBone {
+  Vec2 start = Vec2::Zero(), along = Vec2(0, 1);
+  double length = 0;
+};
+DrawnBone drawn_bone(const Document& document, int frame, int joint) {
+  const FrameCamera camera = frame_camera(document, frame);
+  const std::vector<Transform> posed = posed_joints(document.skeleton, document.frames[frame].pose);
+  const auto at = [&](int j) { return camera.project(posed[j].translation()); };
+  const std::vector<int> children = document.skeleton.children(joint);
+  const int parent = document.skeleton.joints[joint].parent;
+  DrawnBone bone{at(joint), Vec2(0, 1), 0};
+  const Vec2 d = !children.empty() ? Vec2(at(children[0]) - bone.start)
+                 : parent >= 0     ? Vec2(bone.start - at(parent))
+                                   : Vec2(0, 1);
+  bone.length = d.norm();
+  if (bone.length > 1e-6) bone.along = d / bone.length;
+  return bone;
+}
+
+}  // namespace
+
+Document with_contour_copied(Document document, int frame, int contour, int to_frame) {
+  Contour copy = contours_in(document, frame, contour)[contour];
+  const DrawnBone from = drawn_bone(document, frame, copy.joint),
+                  to = drawn_bone(document, to_frame, copy.joint);
+  const double scale =
+      std::min(document.frames[to_frame].width, document.frames[to_frame].height) /
+      std::max(1.0, double(std::min(document.frames[frame].width, document.frames[frame].height)));
+  Eigen::Matrix2d turn;
+  const double c = from.along.dot(to.along),
+               s = from.along.x() * to.along.y() - from.along.y() * to.along.x();
+  turn << c, -s, s, c;
+  for (Vec2& p : copy.line.points) p = to.start + scale * (turn * (p - from.start));
+  return with_contour(std::move(document), to_frame, std::move(copy));
+}
+
+std::optional<Document> with_contour_mirrored(const Document& document, int frame, int contour) {
+  Contour copy = document.frames.at(frame).contours.at(contour);
+  const int mirror = document.skeleton.joints[copy.joint].mirror;
+  if (mirror < 0 || mirror == copy.joint) return std::nullopt;
+  const DrawnBone from = drawn_bone(document, frame, copy.joint),
+                  to = drawn_bone(document, frame, mirror);
+  for (Vec2& p : copy.line.points) {
+    const Vec2 d = p - from.start;
+    const double along = d.dot(from.along),
+                 across = from.along.x() * d.y() - from.along.y() * d.x();
+    p = to.start + along * to.along - across * Vec2(-to.along.y(), to.along.x());
+  }
+  copy.joint = mirror;
+  return with_contour(document, frame, std::move(copy));
+}
+
+// ---------------------------------------------------------------- skeleton
+
+Document with_joint_offset(Document document, int joint, const Vec3& offset) {
+  std::vector<Joint>& joints = document.skeleton.joints;
+  const auto reflected = [](const Vec3& v) { return Vec3(-v.x(), v.y(), v.z()); };
+  const int mirror = joints.at(joint).mirror;
+  constexpr double kAlike = 1e-3;  // of the offset's length
+  if (mirror >= 0 && mirror != joint &&
+      (joints[mirror].offset - reflected(joints[joint].offset)).norm() <=
+          kAlike * joints[joint].offset.norm())
+    joints[mirror].offset = reflected(offset);
+  joints[joint].offset = offset;
+  return document;
+}
+
+// ---------------------------------------------------------------- poses
+
+namespace {
+
+// Turns posed joint `pivot` in the world by `turn`; its local rotation takes it up.
+void turn_in_world(const Skeleton& skeleton, Pose& pose, int pivot, const Quat& turn) {
+  const std::vector<Transform> posed = posed_joints(skeleton, pose);
+  const int parent = skeleton.joints[pivot].parent;
+  const Quat above = parent >= 0 ? Quat(posed[parent].rotation()) : Quat::Identity();
+  pose.rotations[pivot] = (above.conjugate() * turn * Quat(posed[pivot].rotation())).normalized();
+}
+
+}  // namespace
+
+Pose with_joint_at(const Skeleton& skeleton, const Pose& pose, int joint, const Vec3& target,
+                   int bones) {
+  Pose next = pose;
+  if (skeleton.joints[joint].parent < 0) {
+    next.root_position = target;
+    return next;
+  }
+  std::vector<int> chain;  // the joints that turn, nearest first
+  for (int j = skeleton.joints[joint].parent; j >= 0 && int(chain.size()) < bones;
+       j = skeleton.joints[j].parent)
+    // Joints with several children (hips, chest) carry the whole body: a limb's drag leaves them,
+    // unless nothing else could follow.
+    if (chain.empty() || skeleton.children(j).size() < 2)
+      chain.push_back(j);
+    else
+      break;
+  // Cyclic coordinate descent: converges fast on two bones, and each turn is the least that does.
+  constexpr int kRounds = 24;
+  for (int round = 0; round < kRounds; ++round)
+    for (int pivot : chain) {
+      const std::vector<Transform> posed = posed_joints(skeleton, next);
+      const Vec3 from = posed[joint].translation() - posed[pivot].translation(),
+                 to = target - posed[pivot].translation();
+      if (from.norm() < 1e-9 || to.norm() < 1e-9) continue;
+      turn_in_world(skeleton, next, pivot, Quat::FromTwoVectors(from, to));
+    }
+  // The part at the end keeps its place in the world's eyes: it hangs on without turning along.
+  return next;
+}
+
+Pose with_bone_flipped(const Skeleton& skeleton, const Pose& pose, int joint) {
+  const int pivot = skeleton.joints[joint].parent;
+  if (pivot < 0) return pose;
+  const std::vector<Transform> posed = posed_joints(skeleton, pose);
+  const Vec3 bone = posed[joint].translation() - posed[pivot].translation();
+  Pose next = pose;
+  if (bone.norm() > 1e-9)
+    turn_in_world(skeleton, next, pivot,
+                  Quat::FromTwoVectors(bone, Vec3(bone.x(), bone.y(), -bone.z())));
+  return next;
+}
+
+Pose with_bone_twisted(const Skeleton& skeleton, const Pose& pose, int joint, double angle) {
+  const int pivot = skeleton.joints[joint].parent;
+  if (pivot < 0) return pose;
+  const std::vector<Transform> posed = posed_joints(skeleton, pose);
+  const Vec3 bone = posed[joint].translation() - posed[pivot].translation();
+  Pose next = pose;
+  if (bone.norm() > 1e-9)
+    turn_in_world(skeleton, next, pivot, Quat(Eigen::AngleAxisd(angle, bone.normalized())));
+  return next;
+}
+
+Pose with_body_turned(Pose pose, const Quat& turn) {
+  if (!pose.rotations.empty()) pose.rotations[0] = (turn * pose.rotations[0]).normalized();
+  return pose;
+}
+
+}  // namespace artisketch

@@ -1,0 +1,108 @@
+// What a person does to a document, as functions from the document to the next one. They change
+// nothing but what they say; indices must be valid (asserted).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "document/document.h"
+
+namespace artisketch {
+
+// ---------------------------------------------------------------- names
+
+std::string capitalised(std::string words);
+
+// A joint's name as people read it, and its side apart: "upper_arm.L" → {"Upper arm", "L"}.
+struct JointWords {
+  std::string name;
+  std::string side;  // "L", "R" or empty
+  std::string whole() const { return side.empty() ? name : name + " " + side; }
+};
+JointWords joint_words(const std::string& name);
+
+// A drawing's name as people read it: "front" → "Front"; its number where it has none.
+std::string drawing_words(const Document& document, int frame);
+
+// The joints whose parts are to be outlined: those that carry a contour anywhere; where none does,
+// all that have a child.
+std::vector<int> parts_to_draw(const Document& document);
+
+// ---------------------------------------------------------------- frames
+
+// A drawing at the end of the strip, in the pose of the last one (the rest pose, fitted to the
+// drawing, where there is none).
+Document with_frame(Document document, Frame frame);
+Document without_frame(Document document, int frame);
+Document with_frame_moved(Document document, int frame, int to);
+Document with_frame_copied(Document document, int frame);  // right after it
+Document with_pose(Document document, int frame, Pose pose);
+
+// A pose that shows the rest pose upright within the middle of the frame: its root position.
+Pose fitted_rest_pose(const Document& document, const Frame& frame);
+
+// ---------------------------------------------------------------- contours
+
+Document with_contour(Document document, int frame, Contour contour);  // in front
+Document without_contour(Document document, int frame, int contour);
+Document with_contour_joint(Document document, int frame, int contour, int joint);
+Document with_contour_points(Document document, int frame, int contour, std::vector<Vec2> points);
+// Behind or in front of its neighbour.
+Document with_contour_shifted(Document document, int frame, int contour, int by);
+// A copy in another frame, as that frame's pose shows the joint.
+Document with_contour_copied(Document document, int frame, int contour, int to_frame);
+// The mirror image for the mirror joint, across the joint's own middle line in the drawing.
+// Nothing where the joint has no mirror joint.
+std::optional<Document> with_contour_mirrored(const Document& document, int frame, int contour);
+
+// A freehand stroke as an outline: smoothed over `smooth` pixels, simplified to within `error`
+// pixels, closed where its ends are within `reach` of each other. Nothing where it is too short.
+struct StrokeOptions {
+  double smooth = 2;
+  double error = 0.35;
+  double reach = 12;
+  bool open = false;  // keep the ends apart
+};
+std::optional<Polyline> outline_of_stroke(std::span<const Vec2> stroke,
+                                          const StrokeOptions& options);
+
+// Cuts a closed outline along the segment a–b into two that overlap: each half goes `overlap`
+// pixels beyond the line. Nothing where the segment doesn't cross the outline exactly twice.
+std::optional<std::pair<Polyline, Polyline>> cut_outline(const Polyline& outline, const Vec2& a,
+                                                         const Vec2& b, double overlap);
+
+// The outline with the stretch nearest to the stroke's ends replaced by the stroke.
+Polyline with_stretch_redrawn(const Polyline& outline, std::span<const Vec2> stroke);
+
+// Joints that a new outline may belong to, the likeliest first, each with the reason in words.
+struct Candidate {
+  int joint = 0;
+  std::string reason;
+};
+std::vector<Candidate> joint_candidates(const Document& document, int frame, const Polyline& line);
+
+// ---------------------------------------------------------------- skeleton
+
+// A joint elsewhere in the rest pose; its mirror image follows where the two were each other's.
+Document with_joint_offset(Document document, int joint, const Vec3& offset);
+
+// ---------------------------------------------------------------- poses
+
+// The pose in which a joint is at `target` (world), as near as the lengths of the bones allow: the
+// joint's chain of up to `bones` bones follows, the rest hangs on. The root moves as a whole.
+Pose with_joint_at(const Skeleton& skeleton, const Pose& pose, int joint, const Vec3& target,
+                   int bones = 2);
+
+// The bone that ends in `joint` mirrored in depth: what pointed toward the viewer points away.
+Pose with_bone_flipped(const Skeleton& skeleton, const Pose& pose, int joint);
+
+// The bone that ends in `joint` turned about its own axis.
+Pose with_bone_twisted(const Skeleton& skeleton, const Pose& pose, int joint, double angle);
+
+// The whole body turned about a world axis through the root.
+Pose with_body_turned(Pose pose, const Quat& turn);
+
+}  // namespace artisketch

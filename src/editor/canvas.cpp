@@ -1,0 +1,228 @@
+// The sketch: drawing, model, outlines and bones of one frame, to pan and zoom.
+#include <cmath>
+
+#include "document/edit.h"
+#include "editor/panels.h"
+
+namespace artisketch {
+namespace {
+
+constexpr float kFitMargin = 0, kMinZoom = 0.05f, kMaxZoom = 40;
+
+void zoom_about(View& view, ImVec2 about, float factor) {
+  const float zoom = std::clamp(view.zoom * factor, kMinZoom, kMaxZoom);
+  const float k = zoom / view.zoom;
+  view.origin = {about.x + k * (view.origin.x - about.x), about.y + k * (view.origin.y - about.y)};
+  view.zoom = zoom;
+  view.fit = false;
+}
+
+void fit(View& view, const Frame& frame, const Rect& place) {
+  const Rect inner = place.inset(kFitMargin);
+  view.zoom = std::min(inner.w / float(frame.width), inner.h / float(frame.height));
+  view.origin = {inner.x + (inner.w - view.zoom * float(frame.width)) / 2,
+                 inner.y + (inner.h - view.zoom * float(frame.height)) / 2};
+}
+
+// Wheel zooms at the pointer; the middle button, or two fingers, pan.
+void navigate(View& view, const Rect& place) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) ||
+      !place.holds(io.MousePos))
+    return;
+  if (io.MouseWheel != 0 && !(view.mode == Mode::pose && view.tool() == Tool::twist))
+    zoom_about(view, io.MousePos, std::pow(1.15f, io.MouseWheel));
+  if (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0)) {
+    view.origin.x += io.MouseDelta.x;
+    view.origin.y += io.MouseDelta.y;
+    view.fit = false;
+  }
+}
+
+void paint_outlines(const Work& work, const OnScreen& on) {
+  const View& view = work.view;
+  const Frame& frame = work.frame();
+  const bool editing = view.mode == Mode::outline && view.contour >= 0;
+  for (int i = 0; i < int(frame.contours.size()); ++i) {
+    const Contour& contour = frame.contours[std::size_t(i)];
+    const bool chosen = editing ? i == view.contour : contour.joint == view.joint;
+    OutlineLook look;
+    look.width = chosen && view.mode == Mode::outline ? 3 : 2;
+    look.opacity = editing && !chosen ? 0.55f : 1;
+    look.fill = view.mode == Mode::outline ? (chosen ? 0.16f : 0.10f) : 0;
+    if (view.mode == Mode::pose) look.width = 1.25f, look.casing = 0.75f;
+    paint_outline(draw(), contour.line, on, joint_tint(contour.joint), look);
+  }
+}
+
+void paint_model(Work& work, const FrameCamera& camera, const OnScreen& on, const Rect& place,
+                 float pixel_ratio) {
+  const std::vector<Clip>& clips = work.built->model.clips;
+  if (clips.empty() || work.view.frame >= int(clips[0].poses.size())) return;
+  const Pose& pose = clips[0].poses[std::size_t(work.view.frame)];
+  // In Pose the model stands as the person has it, so that what does not fit shows.
+  const Pose drawn = work.drawn_pose();
+  const bool theirs =
+      work.view.mode == Mode::pose && drawn.rotations.size() == pose.rotations.size();
+  work.built->picture->pose(theirs ? drawn : pose, Vec3::Zero());
+  const Eye eye = sketch_eye(camera, on.origin, on.zoom, place);
+  PaintOptions options;
+  options.dark = theme().dark;
+  show_model(work, eye, options, work.over_sketch, work.view.layer().model_opacity, pixel_ratio);
+}
+
+void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
+  const View& view = work.view;
+  const Frame& frame = work.frame();
+  const OnScreen on{view.origin, view.zoom};
+  const Rect paper{view.origin.x, view.origin.y, view.zoom * float(frame.width),
+                   view.zoom * float(frame.height)};
+  draw().AddRectFilled(paper.min(), paper.max(), theme().paper_tint);
+  const Layers& layers = view.layer();
+  const Drawing* drawing = work.drawings.of(frame);
+  const float opacity = view.mode == Mode::skeleton ? 0.3f : layers.drawing_opacity;
+  if (drawing && layers.drawing)
+    show_picture(drawing->texture, paper, opacity, {0, 0}, {1, 1}, theme().paper_tint);
+  // The calibrated document may have found another scale for the frame.
+  const FrameCamera camera = frame_camera(work.document(), view.frame);
+  if (layers.model && work.built) {
+    const bool same = view.frame < int(work.built->document.frames.size());
+    paint_model(work, same ? frame_camera(work.built->document, view.frame) : camera, on, place,
+                pixel_ratio);
+  }
+  if (layers.outlines) paint_outlines(work, on);
+  if (layers.bones) {
+    BonesLook look;
+    look.tapered = view.mode == Mode::pose;
+    look.chosen = view.mode == Mode::outline ? -1 : view.joint;
+    look.size = work.view.mode == Mode::outline ? 1 : 1;
+    if (work.proposal) {
+      BonesLook other;
+      other.faint = true;
+      const Pose& faint = work.proposal->shown != work.proposal->peeking
+                              ? frame.pose
+                              : work.proposal->document.frames[std::size_t(view.frame)].pose;
+      paint_bones(draw(), work.document().skeleton, faint, camera, on, other);
+    }
+    paint_bones(draw(), work.document().skeleton, work.drawn_pose(), camera, on, look);
+  }
+}
+
+void head(Work& work, const Layout& layout) {
+  const Theme& t = theme();
+  Rect row = layout.canvas_head;
+  const int frames = int(work.document().frames.size());
+  const std::string name = work.has_frame() ? drawing_words(work.document(), work.view.frame) : "";
+  const std::string of = std::to_string(work.view.frame + 1) + " of " + std::to_string(frames);
+  if (layout.tablet) {
+    draw().AddRectFilled(row.min(), row.max(), faded(t.panel, 0.95f), kRadiusPanel);
+    command_icon(work, Command::previous_drawing, row.cut_left(44));
+    command_icon(work, Command::next_drawing, row.cut_right(44));
+    const float width = text_width(Font::body_bold, name) + 8 + text_width(Font::caption, of);
+    Rect middle = row.middle(std::min(width, row.w), row.h);
+    write(middle.cut_left(text_width(Font::body_bold, name) + 8), Font::body_bold, t.text, name);
+    write(middle, Font::caption, t.muted, of);
+    return;
+  }
+  row = row.inset(10, 8);
+  if (frames > 0) {
+    command_icon(work, Command::previous_drawing, row.cut_left(28).middle(28, 28));
+    row.cut_left(6);
+    const float width = std::min(text_width(Font::body_bold, name) + 1, 160.0f);
+    write(row.cut_left(width), Font::body_bold, t.text, name);
+    row.cut_left(8);
+    write(row.cut_left(text_width(Font::caption, of) + 2), Font::caption, t.muted, of);
+    row.cut_left(6);
+    command_icon(work, Command::next_drawing, row.cut_left(28).middle(28, 28));
+  }
+  Layers& layers = work.view.layer();
+  const auto toggle = [&](const char* label, const char* hint, const char* icon, bool& on,
+                          const std::string& key, bool enabled) {
+    Look look;
+    look.icon = icon;
+    look.on = on && enabled;
+    look.quiet = true;
+    look.hint = hint;
+    look.key = key;
+    look.enabled = enabled;
+    if (icon_button(label, row.cut_right(32).middle(32, 30), look)) on = !on;
+    row.cut_right(2);
+  };
+  toggle("Show model", "Lay the model over the drawing", icon::kCubeOutline, layers.model, "G",
+         work.built != nullptr);
+  toggle("Show bones", "Show the skeleton", icon::kBone, layers.bones, "B", true);
+  toggle("Show outlines", "Show the outlines", icon::kVectorCurve, layers.outlines, "", true);
+  toggle("Show drawing", "Show the drawing", icon::kImage, layers.drawing, "H", true);
+}
+
+void foot(Work& work, const Layout& layout) {
+  const Theme& t = theme();
+  Rect row = layout.canvas_foot.inset(16, 0);
+  Layers& layers = work.view.layer();
+  const float length = layout.compact ? 80 : 110;
+  if (work.view.mode != Mode::skeleton) {
+    write(row.cut_left(48), Font::caption, t.muted, "Drawing");
+    row.cut_left(8);
+    slider("Drawing opacity", row.cut_left(length), layers.drawing_opacity, 0, 1);
+    row.cut_left(24);
+    if (layers.model && work.built) {
+      write(row.cut_left(38), Font::caption, t.muted, "Model");
+      row.cut_left(8);
+      slider("Model opacity", row.cut_left(length), layers.model_opacity, 0, 1);
+    }
+  }
+  command_icon(work, Command::fit, row.cut_right(28).middle(28, 28));
+  row.cut_right(4);
+  command_icon(work, Command::zoom_in, row.cut_right(28).middle(28, 28));
+  write(row.cut_right(52), Font::caption, t.text,
+        std::to_string(int(std::lround(work.view.zoom * 100))) + " %", Align::centre);
+  command_icon(work, Command::zoom_out, row.cut_right(28).middle(28, 28));
+}
+
+// The blank page: what to do first.
+void invitation(Work& work, const Rect& place) {
+  const Theme& t = theme();
+  const Rect card = place.middle(std::min(360.0f, place.w - 32), 180);
+  dashed_frame(card, kRadiusPanel, t.accent);
+  Rect column = card.inset(20);
+  write_icon(column.cut_top(32).centre(), IconSize::large, t.accent, icon::kImageMultiple);
+  column.cut_top(8);
+  write(column.cut_top(24), Font::title, t.text, "Drop a drawing, or just draw.", Align::centre);
+  column.cut_top(16);
+  Rect row = column.cut_top(36);
+  Look primary;
+  primary.primary = true;
+  const float half = (row.w - 8) / 2;
+  command_button(work, Command::add_drawings, row.cut_left(half), primary);
+  command_button(work, Command::blank_drawing, row.cut_right(half));
+}
+
+}  // namespace
+
+void canvas(Work& work, const Layout& layout, float pixel_ratio) {
+  const Theme& t = theme();
+  Rect whole = layout.canvas;
+  if (!layout.tablet) {
+    whole.y = layout.canvas_head.y;
+    whole.h = layout.canvas_foot.bottom() - whole.y;
+  }
+  const Panel panel("Canvas", whole, t.canvas);
+  const Rect place = layout.canvas;
+  if (!work.has_frame()) {
+    invitation(work, place);
+    return;
+  }
+  if (work.view.fit) fit(work.view, work.frame(), place);
+  navigate(work.view, place);
+  draw().PushClipRect(place.min(), place.max(), true);
+  paint_sketch(work, place, pixel_ratio);
+  use_tool(work, place, {work.view.origin, work.view.zoom});
+  draw().PopClipRect();
+  head(work, layout);
+  if (!layout.tablet) {
+    foot(work, layout);
+    hairline({whole.right() - 1, whole.y}, {whole.right(), whole.bottom()});
+  }
+}
+
+}  // namespace artisketch

@@ -1,0 +1,166 @@
+#include "editor/editor.h"
+
+#include <chrono>
+#include <utility>
+
+#include <imgui.h>
+
+#include "editor/actions.h"
+#include "editor/panels.h"
+
+namespace artisketch {
+
+struct Editor::Parts {
+  Work work;
+  std::vector<Widget> widgets;
+  std::string message;
+  bool begun = false;
+  std::chrono::steady_clock::time_point drawn_at{};
+
+  Parts(Platform& platform, Jobs& jobs) : work(platform, jobs) {
+    View& view = work.view;
+    view.dark = platform.prefers_dark();
+    platform.load("theme", [&view](const std::string& name) {
+      if (!name.empty()) view.dark = name == "dark";
+    });
+    view.layers[std::size_t(Mode::pose)].drawing_opacity = 0.42f;
+    Layers& result = view.layers[std::size_t(Mode::result)];
+    result.drawing_opacity = 0.3f;
+    result.model = true;
+    result.bones = false;
+  }
+};
+
+Editor::Editor(Platform& platform, Jobs& jobs) : parts_(new Parts(platform, jobs)) {}
+Editor::~Editor() = default;
+
+void Editor::open(Result<std::vector<NamedBytes>> files) {
+  parts_->begun = true;
+  open_files(parts_->work, std::move(files));
+}
+
+bool Editor::close() {
+  Work& work = parts_->work;
+  unless_unsaved(work, [&work] { work.closed = true; });
+  return work.closed;
+}
+bool Editor::closed() const {
+  return parts_->work.closed;
+}
+
+namespace {
+
+void greet(Work& work) {
+  const std::vector<std::string> examples = work.platform.examples();
+  new_document(work);
+  work.view.welcome = true;
+  if (!examples.empty()) open_example(work, examples.front(), true);
+}
+
+void advance(Work& work) {
+  View& view = work.view;
+  if (!view.playing || !work.built || work.built->model.clips.empty()) return;
+  const std::vector<double>& times = work.built->model.clips[std::size_t(view.clip)].times;
+  const double end = times.empty() ? 0 : times.back();
+  // After a rest the clock has run on: no leap.
+  view.time += std::min(0.1, double(ImGui::GetIO().DeltaTime));
+  constexpr double kLast = 0.6;  // seconds on the last key before it begins again
+  if (view.time > end + kLast) {
+    view.time = view.looping || view.welcome ? 0 : end;
+    view.playing = view.looping || view.welcome;
+  }
+  if (view.clip == 0 && !work.document().frames.empty())
+    view.frame = std::min(int(view.time + 0.5), int(work.document().frames.size()) - 1);
+}
+
+}  // namespace
+
+void Editor::frame(float width, float height, float pixel_ratio) {
+  Work& work = parts_->work;
+  parts_->drawn_at = std::chrono::steady_clock::now();
+  if (!parts_->begun) greet(work);
+  if (!parts_->begun) offer_recovery(work);
+  parts_->begun = true;
+  use_theme(work.view.dark ? dark_theme() : light_theme());
+  parts_->widgets.clear();
+  begin_controls(parts_->widgets);
+  collect_job(work);
+  advance(work);
+  const bool asking = work.question || work.view.help;
+  if (!asking) work.asked = pressed_commands();
+  if (work.proposal)
+    work.proposal->peeking =
+        ImGui::IsKeyDown(ImGuiKey_Space) && !ImGui::GetIO().WantTextInput && !asking;
+
+  const Layout layout = lay_out(width, height, work.view);
+  top_bar(work, layout);
+  if (work.view.welcome) {
+    welcome(work, layout, pixel_ratio);
+  } else {
+    canvas(work, layout, pixel_ratio);
+    tool_rail(work, layout);
+    model_view(work, layout, pixel_ratio);
+    if (work.view.mode == Mode::result)
+      timeline(work, layout);
+    else
+      drawing_strip(work, layout);
+    inspector(work, layout);
+  }
+  if (!layout.tablet) status_line(work, layout);
+  toasts(work, layout);
+  shortcut_sheet(work, width, height);
+  question_sheet(work, width, height);
+
+  for (Command command : std::exchange(work.asked, {})) perform(work, command);
+  autosave(work);
+  if (!work.toasts.empty()) parts_->message = work.toasts.back().words;
+  const std::string& name = work.document().name;
+  work.platform.set_title(work.view.welcome || name.empty() ? "ArtiSketch" : name + " – ArtiSketch",
+                          unsaved());
+}
+
+double Editor::next_frame_in() const {
+  constexpr double kSmooth = 1.0 / 60, kSeldom = 1.0 / 20, kNever = 1e9;
+  const Work& work = parts_->work;
+  double interval = kNever;
+  if (work.jobs.busy() || !work.toasts.empty() || work.history.revision() != work.autosaved)
+    interval = kSeldom;
+  if (work.view.playing || work.changing_pose()) interval = kSmooth;
+  const std::chrono::duration<double> since = std::chrono::steady_clock::now() - parts_->drawn_at;
+  return interval - since.count();
+}
+
+const std::vector<Widget>& Editor::widgets() const {
+  return parts_->widgets;
+}
+
+EditorState Editor::state() const {
+  const Work& work = parts_->work;
+  constexpr const char* kNames[] = {"outline", "skeleton", "pose", "result"};
+  EditorState state;
+  state.mode = work.view.welcome ? "welcome" : kNames[std::size_t(work.view.mode)];
+  state.busy = work.jobs.busy();
+  const Progress progress = work.jobs.progress();
+  state.stage = state.busy ? progress.stage : "";
+  state.progress = state.busy ? progress.fraction : 0;
+  state.frame = work.view.frame;
+  state.frames = int(work.document().frames.size());
+  for (const Joint& joint : work.document().skeleton.joints) state.joints.push_back(joint.name);
+  state.has_model = work.built != nullptr;
+  state.can_undo = work.history.can_undo();
+  state.message = parts_->message;
+  return state;
+}
+
+std::optional<Vec2> Editor::project(int frame, double x, double y) const {
+  const Work& work = parts_->work;
+  if (frame != work.view.frame || work.view.welcome || !work.has_frame()) return std::nullopt;
+  const ImVec2 p = OnScreen{work.view.origin, work.view.zoom}.of({x, y});
+  return Vec2(p.x, p.y);
+}
+
+bool Editor::unsaved() const {
+  return parts_->work.unsaved() && !parts_->work.view.welcome;
+}
+
+}  // namespace artisketch

@@ -1,0 +1,72 @@
+// The editor: one document, one character. The window or the page calls frame() between
+// ImGui::NewFrame and ImGui::Render; everything else follows from the person's input.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "base/types.h"
+#include "editor/platform.h"
+
+namespace artisketch {
+
+class Jobs;
+
+// A control of the frame drawn last, in points from the window's top left. Tests click by label;
+// the page mirrors the list for screen readers.
+struct Widget {
+  std::string label;  // "Reconstruct"; unique within a frame
+  float x = 0, y = 0, width = 0, height = 0;
+  bool enabled = true;
+  bool active = false;  // pressed in, ticked or chosen
+};
+
+// What scripts may count on (page: artisketch.state()).
+struct EditorState {
+  std::string mode;  // "outline", "skeleton", "pose", "result", "welcome"
+  bool busy = false;
+  std::string stage;    // of the job under way
+  double progress = 0;  // 0 … 1
+  int frame = 0, frames = 0;
+  std::vector<std::string> joints;
+  bool has_model = false;
+  bool can_undo = false;
+  std::string message;  // the toast shown last
+};
+
+class Editor {
+ public:
+  Editor(Platform& platform, Jobs& jobs);
+  ~Editor();
+
+  // Opens a document, or adds drawings to the one that is open, by what the bytes are; says in a
+  // toast what failed.
+  void open(Result<std::vector<NamedBytes>> files);
+
+  // The person wants to leave: true where nothing would be lost, else the editor asks, and closed()
+  // becomes true once that is settled.
+  bool close();
+  bool closed() const;
+
+  // Draws the whole window; size in points.
+  void frame(float width, float height, float pixel_ratio);
+  // Seconds until another frame is due without input: nothing moves, nothing is drawn. A job's
+  // progress is drawn seldom enough to leave the processor to the job.
+  double next_frame_in() const;
+  bool wants_frame() const { return next_frame_in() <= 0; }
+
+  const std::vector<Widget>& widgets() const;
+  EditorState state() const;
+  // Where a sketch's pixel stands in the window, in points; nothing where that frame isn't shown.
+  std::optional<Vec2> project(int frame, double x, double y) const;
+  bool unsaved() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace artisketch

@@ -1,0 +1,301 @@
+// Documents and models in and out.
+#include <imgui.h>
+
+#include "document/edit.h"
+#include "editor/actions.h"
+#include "editor/icons.h"
+#include "editor/panels.h"
+#include "files/document_file.h"
+#include "files/inside_images.h"
+#include "files/preview.h"
+
+namespace artisketch {
+namespace {
+
+bool ends_with(const std::string& text, const char* ending) {
+  const std::string tail = ending;
+  return text.size() >= tail.size() &&
+         text.compare(text.size() - tail.size(), tail.size(), tail) == 0;
+}
+
+std::string without_ending(const std::string& name) {
+  return name.substr(0, name.rfind('.'));
+}
+
+void complain(Work& work, const Error& error) {
+  if (error.kind == Error::Kind::cancelled) return;
+  Toast toast;
+  toast.words = error.faults.empty() ? "Something went wrong." : error.faults[0];
+  toast.error = true;
+  work.say(std::move(toast));
+}
+
+// Starts afresh with a document; what is looked at begins anew, how stays.
+void start_with(Work& work, Document document) {
+  if (work.jobs.busy()) work.jobs.cancel();
+  work.history = History(std::move(document));
+  work.saved = work.autosaved = work.history.revision();
+  work.place.clear();
+  work.name.clear();
+  work.built.reset();
+  work.proposal.reset();
+  work.outline.reset();
+  View& view = work.view;
+  view.welcome = false;
+  view.mode = Mode::outline;
+  view.frame = 0;
+  view.joint = view.contour = -1;
+  view.fit = true;
+  view.playing = view.exporting = false;
+  view.clip = 0;
+  view.time = 0;
+  view.posed.reset();
+}
+
+// A document to begin with where there is none: a person's skeleton, no drawings.
+Document blank_document() {
+  Document document;
+  document.name = "Untitled";
+  document.camera.pixels_per_unit = 300;
+  struct Bone {
+    const char *name, *parent;
+    Vec3 offset;
+    const char* mirror;
+  };
+  const Bone bones[] = {{"hips", "", {0, 0.9, 0}, "hips"},
+                        {"chest", "hips", {0, 0.25, 0}, "chest"},
+                        {"head", "chest", {0, 0.35, 0}, "head"},
+                        {"head_tip", "head", {0, 0.3, 0}, "head_tip"},
+                        {"upper_arm.L", "chest", {0.2, 0.25, 0}, "upper_arm.R"},
+                        {"forearm.L", "upper_arm.L", {0.28, 0, 0}, "forearm.R"},
+                        {"hand.L", "forearm.L", {0.25, 0, 0}, "hand.R"},
+                        {"hand_tip.L", "hand.L", {0.15, 0, 0}, "hand_tip.R"},
+                        {"upper_arm.R", "chest", {-0.2, 0.25, 0}, "upper_arm.L"},
+                        {"forearm.R", "upper_arm.R", {-0.28, 0, 0}, "forearm.L"},
+                        {"hand.R", "forearm.R", {-0.25, 0, 0}, "hand.L"},
+                        {"hand_tip.R", "hand.R", {-0.15, 0, 0}, "hand_tip.L"},
+                        {"thigh.L", "hips", {0.1, -0.05, 0}, "thigh.R"},
+                        {"shin.L", "thigh.L", {0, -0.4, 0}, "shin.R"},
+                        {"foot.L", "shin.L", {0, -0.38, 0}, "foot.R"},
+                        {"foot_tip.L", "foot.L", {0, -0.03, 0.16}, "foot_tip.R"},
+                        {"thigh.R", "hips", {-0.1, -0.05, 0}, "thigh.L"},
+                        {"shin.R", "thigh.R", {0, -0.4, 0}, "shin.L"},
+                        {"foot.R", "shin.R", {0, -0.38, 0}, "foot.L"},
+                        {"foot_tip.R", "foot.R", {0, -0.03, 0.16}, "foot_tip.L"}};
+  Skeleton& skeleton = document.skeleton;
+  for (const Bone& bone : bones)
+    skeleton.joints.push_back({bone.name, skeleton.find(bone.parent), bone.offset, -1, ""});
+  for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
+    skeleton.joints[j].mirror = skeleton.find(bones[j].mirror);
+  return document;
+}
+
+void add_drawing(Work& work, const NamedBytes& file) {
+  Result<std::string> key = work.drawings.add(file.bytes, file.name);
+  if (!key) return complain(work, key.error());
+  Frame frame;
+  frame.name = without_ending(file.name);
+  frame.image = *key;
+  const Drawing& drawing = *work.drawings.of(frame);
+  frame.width = drawing.image.width;
+  frame.height = drawing.image.height;
+  Document next = work.document();
+  // The first drawing sets the scale: the figure stands as tall as most of the sheet.
+  if (next.frames.empty() && next.camera.type == Camera::Type::orthographic) {
+    Box3 box;
+    for (const Vec3& joint : rest_positions(next.skeleton)) box.extend(joint);
+    if (!box.isEmpty() && box.sizes().y() > 1e-9)
+      next.camera.pixels_per_unit = 0.8 * frame.height / box.sizes().y();
+  }
+  work.commit("Add " + frame.name, with_frame(std::move(next), std::move(frame)));
+  work.view.frame = int(work.document().frames.size()) - 1;
+  work.view.fit = true;
+}
+
+}  // namespace
+
+void new_document(Work& work) {
+  start_with(work, blank_document());
+}
+
+void open_document(Work& work, const NamedBytes& file) {
+  Result<Document> document = parse_document(file.bytes, file.name);
+  if (!document) return complain(work, document.error());
+  const Result<Done> taken = work.drawings.take(*document);
+  if (!taken) return complain(work, taken.error());
+  start_with(work, std::move(*document));
+  work.name = file.name;
+  work.place = file.place;
+}
+
+void open_files(Work& work, Result<std::vector<NamedBytes>> files) {
+  if (!files) return complain(work, files.error());
+  for (const NamedBytes& file : *files) {
+    if (ends_with(file.name, ".artisketch") || file.bytes.starts_with("{")) {
+      unless_unsaved(work, [&work, file] { open_document(work, file); });
+      continue;
+    }
+    if (work.view.welcome) new_document(work);
+    add_drawing(work, file);
+  }
+}
+
+void open_example(Work& work, const std::string& name, bool greet) {
+  work.platform.load_example(name, [&work, greet](Result<Example> example) {
+    if (!example) return complain(work, example.error());
+    open_document(work, {"", example->document, ""});
+    Result<Built> built = built_from(example->glb, example->document);
+    if (!built) return complain(work, built.error());
+    built->revision = work.history.revision();
+    show_built(work, std::move(*built));
+    work.view.welcome = greet;
+    work.view.playing = greet;
+    if (greet) work.view.orbit.yaw = 0.35;
+  });
+}
+
+void save(Work& work, bool ask_where, std::function<void()> then) {
+  const std::string proposed =
+      work.name.empty()
+          ? (work.document().name.empty() ? "untitled" : work.document().name) + ".artisketch"
+          : work.name;
+  const long revision = work.history.revision();
+  std::string text = document_text(work.drawings.whole(work.document()));
+  const auto done = [&work, revision, then](Result<Platform::Saved> saved) {
+    if (!saved) return complain(work, saved.error());
+    work.name = saved->name;
+    work.place = saved->place;
+    work.saved = revision;
+    work.platform.store("autosave", "");
+    if (then) then();
+  };
+  const std::string place = ask_where ? "" : work.place;
+  if (!place.empty() || work.platform.has_dialogs())
+    return work.platform.save_file(proposed, place, std::move(text), done);
+  Question question;
+  question.title = "Save as";
+  question.words = "Where to, and under which name?";
+  question.asks_path = true;
+  question.path = proposed;
+  question.with_path = [&work, text, proposed, done](const std::string& path) {
+    work.platform.save_file(proposed, path, text, done);
+  };
+  question.answers = {{"Save", {}, true}, {"Cancel", {}}};
+  work.question = std::move(question);
+}
+
+void ask_for_path(Work& work, const std::string& title, const std::string& words) {
+  Question question;
+  question.title = title;
+  question.words = words;
+  question.asks_path = true;
+  question.with_path = [&work](const std::string& path) {
+    work.platform.open_recent(path, [&work](auto files) { open_files(work, std::move(files)); });
+  };
+  question.answers = {{"Open", {}, true}, {"Cancel", {}}};
+  work.question = std::move(question);
+}
+
+void unless_unsaved(Work& work, std::function<void()> then) {
+  if (!work.unsaved() || work.view.welcome) return then();
+  Question question;
+  question.title = "Save your changes?";
+  question.words = "Without saving, what you changed since the last time is lost.";
+  question.answers = {{"Save", [&work, then] { save(work, false, then); }, true},
+                      {"Don't save", then},
+                      {"Cancel", {}}};
+  work.question = std::move(question);
+}
+
+void autosave(Work& work) {
+  constexpr double kQuiet = 1, kMost = 3;  // seconds: after the last change, and at most
+  static double first_change = -1;
+  const double now = ImGui::GetTime();
+  if (work.history.revision() == work.autosaved || work.view.welcome) {
+    first_change = -1;
+    return;
+  }
+  if (first_change < 0) first_change = now;
+  if (now - work.changed_at < kQuiet && now - first_change < kMost - 0.5) return;
+  work.platform.store("autosave",
+                      work.unsaved() ? document_text(work.drawings.whole(work.document())) : "");
+  work.autosaved = work.history.revision();
+  first_change = -1;
+}
+
+void offer_recovery(Work& work) {
+  work.platform.load("autosave", [&work](const std::string& text) {
+    if (text.empty() || !parse_document(text, "the recovered document")) return;
+    Toast toast;
+    toast.words = "Work from last time was not saved.";
+    toast.error = true;  // stays until it is answered
+    toast.action = "Keep";
+    toast.act = [&work, text] {
+      open_document(work, {"", text, ""});
+      work.saved = -1;
+    };
+    toast.other_action = "Discard";
+    toast.other_act = [&work] { work.platform.store("autosave", ""); };
+    work.say(std::move(toast));
+  });
+}
+
+// ---------------------------------------------------------------- export
+
+namespace {
+
+Result<std::string> as_glb(const Work& work) {
+  return work.built->glb;
+}
+
+Result<std::string> as_picture(const Work& work) {
+  RenderOptions options;
+  options.width = options.height = 1024;
+  options.yaw = -work.view.orbit.yaw;
+  options.pitch = work.view.orbit.pitch;
+  options.frame = work.view.frame;
+  return png_bytes(render_model(work.built->model, options));
+}
+
+constexpr ExportFormat kFormats[] = {
+    {"GLB", "rigged, animated, for every 3D program", icon::kCubeSend, ".glb", as_glb},
+    {"PNG", "a picture from where you look", icon::kImageMultiple, ".png", as_picture},
+};
+
+}  // namespace
+
+std::span<const ExportFormat> export_formats() {
+  return kFormats;
+}
+
+std::string export_name(const Work& work, const ExportFormat& format) {
+  const std::string& name = work.document().name;
+  return (name.empty() ? "model" : name) + format.ending;
+}
+
+void export_model(Work& work, const ExportFormat& format) {
+  if (!work.built) return;
+  Result<std::string> bytes = format.bytes(work);
+  if (!bytes) return complain(work, bytes.error());
+  const std::string name = export_name(work, format);
+  const auto done = [&work](Result<Platform::Saved> saved) {
+    if (!saved) return complain(work, saved.error());
+    Toast toast;
+    toast.words = "Exported " + saved->name + ".";
+    work.say(std::move(toast));
+  };
+  if (work.platform.has_dialogs())
+    return work.platform.save_file(name, "", std::move(*bytes), done);
+  Question question;
+  question.title = "Export";
+  question.words = "Where to, and under which name?";
+  question.asks_path = true;
+  question.path = name;
+  question.with_path = [&work, name, bytes = std::move(*bytes), done](const std::string& path) {
+    work.platform.save_file(name, path, bytes, done);
+  };
+  question.answers = {{"Export", {}, true}, {"Cancel", {}}};
+  work.question = std::move(question);
+}
+
+}  // namespace artisketch

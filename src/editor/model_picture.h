@@ -1,0 +1,85 @@
+// A model on the graphics card: posed, lit, and painted into pictures that the panels show.
+#pragma once
+
+#include <vector>
+
+#include "editor/eye.h"
+#include "model/stages.h"
+
+namespace artisketch {
+
+enum class Surface { textured, shaded, wireframe, weights };
+
+struct PaintOptions {
+  Surface surface = Surface::textured;
+  int joint = -1;       // weights of this joint alone; −1: all, in their colours
+  bool ground = false;  // a grid at y = 0
+  bool dark = true;
+};
+
+// All that a picture of a model depends on: while it stays, the picture does.
+struct Scene {
+  long model = 0;  // which one was loaded
+  Pose pose;
+  Vec3 shift = Vec3::Zero();
+  Eigen::Matrix4d clip = Eigen::Matrix4d::Identity();
+  Mat3 turn = Mat3::Identity();
+  PaintOptions options;
+  int width = 0, height = 0;
+
+  bool same_pose(const Scene& other) const;
+  bool operator==(const Scene& other) const;
+};
+
+// A picture to paint into, kept as an OpenGL texture with premultiplied alpha.
+class Picture {
+ public:
+  Picture() = default;
+  Picture(const Picture&) = delete;
+  Picture& operator=(const Picture&) = delete;
+  ~Picture();
+  void begin(int width, int height);  // clears it
+  void end();
+  unsigned texture() const { return texture_; }
+
+  Scene shows;  // painted last
+
+ private:
+  void release();
+  int width_ = 0, height_ = 0;
+  unsigned texture_ = 0, resolve_ = 0, smooth_ = 0, colour_ = 0, depth_ = 0;
+};
+
+class ModelPicture {
+ public:
+  ModelPicture() = default;
+  ModelPicture(const ModelPicture&) = delete;
+  ModelPicture& operator=(const ModelPicture&) = delete;
+  ~ModelPicture();
+
+  void load(const Model& model);
+  // Poses the model for what is painted next; `shift` moves it, in units.
+  void pose(const Pose& pose, const Vec3& shift);
+  // Leaves the picture alone where it shows just that already.
+  void paint(const Model& model, const Eye& eye, const PaintOptions& options, Picture& picture,
+             float pixel_ratio);
+
+ private:
+  void move_vertices(const Model& model, const Scene& scene);
+  void colour_vertices(const Model& model, const PaintOptions& options);
+  unsigned triangles_ = 0, edges_ = 0, ground_ = 0, ground_points_ = 0;  // vertex arrays
+  unsigned positions_ = 0, normals_ = 0, uvs_ = 0, colours_ = 0, faces_ = 0, lines_ = 0;  // buffers
+  unsigned texture_ = 0;
+  int triangle_count_ = 0, edge_count_ = 0, ground_count_ = 0;
+  std::vector<int> welded_;  // vertices at the same place share a normal
+  int welded_count_ = 0;
+  Scene next_, posed_;  // what is wanted, and as the card has it
+  Surface coloured_for_ = Surface::textured;
+  int coloured_joint_ = -2;
+};
+
+// Draws a texture with premultiplied alpha into the panel under way.
+void show_picture(unsigned texture, const Rect& place, float opacity, ImVec2 uv0 = {0, 0},
+                  ImVec2 uv1 = {1, 1}, ImU32 tint = IM_COL32_WHITE, float radius = 0);
+
+}  // namespace artisketch

@@ -1,0 +1,268 @@
+// The model from all sides: orbit, pan, zoom; its surfaces and bones; posing by dragging joints.
+#include <cmath>
+
+#include "document/edit.h"
+#include "editor/panels.h"
+
+namespace artisketch {
+
+void show_model(Work& work, const Eye& eye, const PaintOptions& options, Picture& picture,
+                float opacity, float pixel_ratio, float radius) {
+  work.built->picture->paint(work.built->model, eye, options, picture, pixel_ratio);
+  // OpenGL's pictures begin at the bottom.
+  show_picture(picture.texture(), eye.place, opacity, {0, 1}, {1, 0}, IM_COL32_WHITE, radius);
+}
+
+void look_at_model(Work& work) {
+  const Box3 box = bounds(work.built->model.mesh.V);
+  work.view.orbit = Orbit{};
+  work.view.orbit.target = Vec3(0, box.sizes().y() / 2, 0);
+  const double reach =
+      std::max(box.sizes().y(), 1.1 * std::hypot(box.sizes().x(), box.sizes().z()));
+  work.view.orbit.distance = std::max(1e-3, 1.5 * reach);
+}
+
+namespace {
+
+void navigate(Orbit& orbit, const Rect& place, bool free_to_turn) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Press press = press_area("Turn the model", place);
+  const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+                       place.holds(io.MousePos);
+  if (hovered && io.MouseWheel != 0) orbit.distance *= std::pow(0.9, io.MouseWheel);
+  const bool pan = hovered && (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) ||
+                               (press.held && io.KeyShift));
+  if (pan) {
+    const double unit = orbit.distance / 2.4 * 2 / std::max(1.0f, place.h);
+    const Mat3 turn = orbit.turn();
+    orbit.target -=
+        unit * (io.MouseDelta.x * turn.row(0) - io.MouseDelta.y * turn.row(1)).transpose();
+  } else if (press.held && free_to_turn) {
+    orbit.yaw -= 0.01 * io.MouseDelta.x;
+    orbit.pitch = std::clamp(orbit.pitch + 0.01 * io.MouseDelta.y, -1.5, 1.5);
+  }
+}
+
+// The joint of the result that is being dragged.
+struct Dragged {
+  int joint = -1;
+  double depth = 0;  // along the view
+};
+Dragged dragged;
+
+// A drag that begins on a joint poses the model; gives whether it did.
+bool drag_joints(Work& work, const Eye& eye, const std::vector<Vec3>& joints) {
+  const ImGuiIO& io = ImGui::GetIO();
+  constexpr float kReach = 12;
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsWindowHovered()) {
+    float best = kReach;
+    for (int j = 0; j < int(joints.size()); ++j) {
+      const ImVec2 p = eye.project(joints[std::size_t(j)]);
+      const float apart = std::hypot(p.x - io.MousePos.x, p.y - io.MousePos.y);
+      if (apart >= best) continue;
+      best = apart;
+      dragged.joint = j;
+    }
+  }
+  if (!io.MouseDown[0]) dragged.joint = -1;
+  if (dragged.joint < 0) return false;
+  if (!ImGui::IsMouseDragging(ImGuiMouseButton_Left)) return true;
+  // At its own depth, where the pointer is.
+  Eigen::Vector4d clip = eye.clip * joints[std::size_t(dragged.joint)].homogeneous();
+  clip.x() = clip.w() * (2 * (io.MousePos.x - eye.place.x) / eye.place.w - 1);
+  clip.y() = clip.w() * (1 - 2 * (io.MousePos.y - eye.place.y) / eye.place.h);
+  const Vec3 target = Vec3((eye.clip.inverse() * clip).hnormalized()) - work.shown_footing();
+  work.view.playing = false;
+  work.view.joint = dragged.joint;
+  work.view.posed =
+      with_joint_at(work.built->model.skeleton, work.shown_pose(), dragged.joint, target);
+  return true;
+}
+
+void paint_joints(const Work& work, const Eye& eye, const std::vector<Vec3>& joints) {
+  const Skeleton& skeleton = work.built->model.skeleton;
+  for (int j = 1; j < skeleton.size(); ++j)
+    draw().AddLine(eye.project(joints[std::size_t(skeleton.joints[j].parent)]),
+                   eye.project(joints[std::size_t(j)]), rgb(0xFFFFFF, 0.85f), 1.5f);
+  for (int j = 0; j < skeleton.size(); ++j) {
+    const ImVec2 p = eye.project(joints[std::size_t(j)]);
+    if (j == work.view.joint) draw().AddCircle(p, 9, theme().accent, 0, 2);
+    draw().AddCircleFilled(p, 4, rgb(0xFFFFFF));
+    draw().AddCircleFilled(p, 2.75f, joint_tint(j));
+  }
+}
+
+// Which way is up: three short axes.
+void paint_axes(const Eye& eye, ImVec2 centre) {
+  struct Axis {
+    Vec3 direction;
+    unsigned colour;
+    const char* name;
+  };
+  Axis axes[] = {{Vec3::UnitX(), 0xE05A6A, "x"},
+                 {Vec3::UnitY(), 0x67B552, "y"},
+                 {Vec3::UnitZ(), 0x4A90E2, "z"}};
+  for (Axis& axis : axes) axis.direction = eye.turn * axis.direction;
+  std::sort(std::begin(axes), std::end(axes),
+            [](const Axis& a, const Axis& b) { return a.direction.z() < b.direction.z(); });
+  for (const Axis& axis : axes) {
+    constexpr float kLength = 19;
+    const ImVec2 tip{centre.x + kLength * float(axis.direction.x()),
+                     centre.y - kLength * float(axis.direction.y())};
+    draw().AddLine(centre, tip, rgb(axis.colour), 2);
+    draw().AddCircleFilled(tip, 6.5f, rgb(axis.colour));
+    write({tip.x - 6, tip.y - 7, 12, 13}, Font::small, rgb(0xFFFFFF), axis.name, Align::centre);
+  }
+}
+
+void head(Work& work, const Layout& layout) {
+  const Theme& t = theme();
+  Rect row = layout.view_head.inset(16, 8);
+  row.w += 8;
+  View& view = work.view;
+  Look bones;
+  bones.icon = icon::kBone;
+  bones.on = view.model_bones;
+  bones.quiet = true;
+  bones.hint = "Show the model's skeleton";
+  bones.enabled = work.built != nullptr;
+  if (icon_button("Model skeleton", row.cut_right(32).middle(32, 30), bones))
+    view.model_bones = !view.model_bones;
+  struct Choice {
+    Surface surface;
+    const char* label;
+    const char* icon;
+    const char* hint;
+  };
+  constexpr Choice kChoices[] = {
+      {Surface::weights, "Weights", icon::kPalette,
+       "Which joint moves what; the chosen part alone"},
+      {Surface::wireframe, "Wireframe", icon::kGrid, "The triangles"},
+      {Surface::shaded, "Shaded", icon::kCubeOutline, "The bare shape"},
+      {Surface::textured, "Textured", icon::kImage, "With the drawings' colours"}};
+  for (const Choice& choice : kChoices) {
+    row.cut_right(2);
+    Look look;
+    look.icon = choice.icon;
+    look.hint = choice.hint;
+    look.quiet = true;
+    look.enabled = work.built != nullptr;
+    look.on = work.built && view.surface == choice.surface;
+    if (icon_button(choice.label, row.cut_right(32).middle(32, 30), look))
+      view.surface = choice.surface;
+  }
+  const char* title = view.mode == Mode::result ? "Model" : "Live model";
+  write(row.cut_left(text_width(Font::body_bold, title) + 1), Font::body_bold, t.text, title);
+  row.cut_left(8);
+  std::string about;
+  if (view.mode == Mode::result && work.built && !work.built->model.clips.empty()) {
+    char seconds[32];
+    const Clip& clip = work.built->model.clips[std::size_t(view.clip)];
+    std::snprintf(seconds, sizeof seconds, ", %.1f s", clip.times.empty() ? 0 : clip.times.back());
+    about = view.posed ? "your pose" : clip.name + seconds;
+  } else if (work.built && work.has_frame()) {
+    about = "posed as in " + drawing_words(work.document(), view.frame);
+  }
+  write(row, Font::caption, t.muted, about);
+}
+
+void foot(const Work& work, const Rect& band) {
+  const Theme& t = theme();
+  Rect row = band.inset(16, 0);
+  if (!work.built) return;
+  const Built& built = *work.built;
+  int off = 0;
+  for (int joint : drawn_joints(work.document()))
+    if (work.has_frame() && fit_of(work, joint, work.view.frame) == Fit::off) ++off;
+  std::string words;
+  bool good = true;
+  if (work.stale()) {
+    words = "The drawings have changed since.";
+    good = false;
+  } else if (work.view.mode == Mode::result) {
+    words = std::to_string(built.model.mesh.F.rows()) + " triangles, " +
+            std::to_string(built.model.skeleton.size()) + " joints" +
+            (built.model.texture ? ", 1 texture" : "");
+  } else if (off > 0) {
+    words = std::to_string(off) +
+            (off == 1 ? " part does not fit this drawing" : " parts do not fit this drawing");
+    good = false;
+  } else if (work.view.frame < int(built.fits.size())) {
+    words = "Fills " + std::to_string(int(built.fits[std::size_t(work.view.frame)].iou * 100)) +
+            " % of this drawing";
+  }
+  if (words.empty()) return;
+  write_icon({row.x + 6, row.centre().y}, IconSize::small, good ? t.muted : t.warning,
+             good ? icon::kCheck : icon::kAlert);
+  row.cut_left(18);
+  write(row, Font::caption, good ? t.muted : t.warning, words);
+}
+
+void ground_shade(const Rect& place, bool floating) {
+  const Theme& t = theme();
+  const ImU32 top = t.dark ? rgb(0x23262C) : rgb(0xEDEFF2), bottom = t.dark ? t.canvas : t.canvas;
+  if (floating) return;  // its corners are round: the panel's own ground
+  draw().AddRectFilledMultiColor(place.min(), place.max(), top, top, bottom, bottom);
+}
+
+void nothing_yet(const Work& work, const Rect& place) {
+  const Theme& t = theme();
+  Rect column = place.middle(std::min(240.0f, place.w - 24), 90);
+  write_icon(column.cut_top(28).centre(), IconSize::large, t.disabled, icon::kCubeOutline);
+  column.cut_top(8);
+  const bool outlines = !drawn_joints(work.document()).empty();
+  write(column.cut_top(20), Font::body, t.muted,
+        outlines ? "Reconstruct makes the model" : "The model appears here", Align::centre);
+  write(column.cut_top(18), Font::caption, t.disabled, outlines ? "" : "once a part is outlined",
+        Align::centre);
+}
+
+}  // namespace
+
+void model_view(Work& work, const Layout& layout, float pixel_ratio) {
+  const Theme& t = theme();
+  Rect place = layout.view;
+  const Panel panel("Model", place, t.canvas,
+                    layout.tablet ? Panel::Layer::floating : Panel::Layer::base,
+                    layout.tablet ? kRadiusPanel : 0);
+  ground_shade(place, layout.tablet);
+  if (!work.built) {
+    nothing_yet(work, place);
+    if (!layout.tablet) head(work, layout);
+    return;
+  }
+  const Eye eye = orbit_eye(work.view.orbit, place);
+  const Pose pose = work.shown_pose();
+  const Vec3 shift = work.shown_footing();
+  work.built->picture->pose(pose, shift);
+  PaintOptions options;
+  options.surface = work.view.surface;
+  options.joint = work.view.joint;
+  options.ground = true;
+  options.dark = t.dark;
+  show_model(work, eye, options, work.model_seen, 1, pixel_ratio, layout.tablet ? kRadiusPanel : 0);
+
+  std::vector<Vec3> joints;
+  for (const Transform& joint : posed_joints(work.built->model.skeleton, pose))
+    joints.push_back(joint.translation() + shift);
+  const bool posing = work.view.mode == Mode::result && work.view.tool() == Tool::pose;
+  const bool grabbed = posing && drag_joints(work, eye, joints);
+  if (work.view.model_bones || posing) paint_joints(work, eye, joints);
+  Rect turning = place;
+  if (!layout.tablet)
+    turning = {place.x, layout.view_head.bottom(), place.w,
+               layout.view_foot.y - layout.view_head.bottom()};
+  navigate(work.view.orbit, turning, !grabbed);
+  paint_axes(eye,
+             {place.right() - 38, layout.tablet ? place.bottom() - 40 : layout.view_foot.y - 16});
+  if (layout.tablet) {
+    draw().AddRect(place.min(), place.max(), t.line, kRadiusPanel);
+    write({place.x + 14, place.y + 10, 150, 18}, Font::caption_bold, t.text,
+          work.view.mode == Mode::result ? "Model" : "Live model");
+    return;
+  }
+  head(work, layout);
+  foot(work, layout.view_foot);
+}
+
+}  // namespace artisketch

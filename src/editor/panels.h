@@ -1,0 +1,50 @@
+// The parts of the window. Each draws itself into its place and asks for commands; what the
+// pointer does to the view or the document happens right there.
+#pragma once
+
+#include "editor/layout.h"
+#include "editor/sketch_paint.h"
+#include "editor/ui.h"
+#include "editor/work.h"
+
+namespace artisketch {
+
+void top_bar(Work& work, const Layout& layout);
+void tool_rail(Work& work, const Layout& layout);
+void canvas(Work& work, const Layout& layout, float pixel_ratio);
+void model_view(Work& work, const Layout& layout, float pixel_ratio);
+void inspector(Work& work, const Layout& layout);
+void parts_panel(Work& work, Rect place);  // Outline: which part is outlined where
+void pose_panel(Work& work, Rect place);   // Pose: the calibration's proposal
+void export_sheet(Work& work, const Rect& place);
+void drawing_strip(Work& work, const Layout& layout);
+void timeline(Work& work, const Layout& layout);
+void status_line(const Work& work, const Layout& layout);
+void toasts(Work& work, const Layout& layout);
+void welcome(Work& work, const Layout& layout, float pixel_ratio);
+void shortcut_sheet(Work& work, float width, float height);
+void question_sheet(Work& work, float width, float height);
+void main_menu(Work& work, const Rect& button);
+
+// What the chosen tool does on the canvas with the pointer.
+void use_tool(Work& work, const Rect& place, const OnScreen& on);
+
+// A button for a command: its icon, key and hint; asks for it when clicked.
+void command_button(Work& work, Command command, const Rect& place, Look look = {});
+void command_icon(Work& work, Command command, const Rect& place, Look look = {});
+bool available(const Work& work, Command command);
+
+// A small picture of a drawing with its outlines.
+void thumbnail(const Work& work, const Frame& frame, const Rect& place, bool outlines = true);
+
+// The model as seen by an eye, in a panel.
+void show_model(Work& work, const Eye& eye, const PaintOptions& options, Picture& picture,
+                float opacity, float pixel_ratio, float radius = 0);
+
+// Orbit round the whole model.
+void look_at_model(Work& work);
+
+// What was dragged, and what it is: a file's size in words.
+std::string bytes_in_words(std::size_t bytes);
+
+}  // namespace artisketch

@@ -1,0 +1,416 @@
+// What each command does, and when it can.
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "document/edit.h"
+#include "editor/actions.h"
+#include "editor/panels.h"
+#include "files/document_file.h"
+
+namespace artisketch {
+
+bool available(const Work& work, Command command) {
+  const View& view = work.view;
+  const bool outline = view.mode == Mode::outline && view.contour >= 0 && work.has_frame();
+  switch (command) {
+    case Command::undo:
+      return work.history.can_undo() && !view.welcome;
+    case Command::redo:
+      return work.history.can_redo() && !view.welcome;
+    case Command::save:
+    case Command::save_as:
+      return !view.welcome;
+    case Command::reconstruct:
+      return !drawn_joints(work.document()).empty();
+    case Command::calibrate:
+      return work.document().frames.size() > 1 && !drawn_joints(work.document()).empty() &&
+             !work.jobs.busy();
+    case Command::export_model:
+      return !view.welcome && work.built != nullptr;
+    case Command::previous_drawing:
+    case Command::next_drawing:
+      return work.document().frames.size() > 1;
+    case Command::fit:
+    case Command::zoom_in:
+    case Command::zoom_out:
+      return work.has_frame();
+    case Command::behind:
+      return outline && view.contour > 0;
+    case Command::in_front:
+      return outline && view.contour + 1 < int(work.frame().contours.size());
+    case Command::remove:
+      return outline;
+    case Command::copy_to:
+      return outline && work.document().frames.size() > 1;
+    case Command::mirror: {
+      if (!outline) return false;
+      const int joint = work.frame().contours[std::size_t(view.contour)].joint;
+      const int mirror = work.document().skeleton.joints[std::size_t(joint)].mirror;
+      return mirror >= 0 && mirror != joint;
+    }
+    case Command::flip:
+      return view.mode == Mode::pose && view.joint > 0 && work.has_frame();
+    case Command::reset:
+      return view.mode == Mode::pose ? work.has_frame() : view.mode == Mode::result && view.posed;
+    case Command::play:
+      return work.built && !work.built->model.clips.empty();
+    default:
+      return true;
+  }
+}
+
+namespace {
+
+void set_mode(Work& work, Mode mode) {
+  // Whoever goes on from the welcome works on a copy of what it shows.
+  if (work.view.welcome) {
+    work.view.welcome = false;
+    work.view.playing = false;
+    work.saved = work.history.revision();
+  }
+  work.view.mode = mode;
+  work.view.exporting = work.view.exporting && mode == Mode::result;
+  if (mode != Mode::result) work.view.playing = false;
+  work.view.posed.reset();
+  work.stroke.clear();
+  if (mode == Mode::result) work.view.time = work.view.frame;
+}
+
+void go_to_drawing(Work& work, int by) {
+  const int frames = int(work.document().frames.size());
+  work.view.frame = (work.view.frame + by + frames) % frames;
+  work.view.contour = -1;
+  work.view.time = work.view.frame;
+  work.view.posed.reset();
+}
+
+void arm(Work& work, Tool tool) {
+  work.view.tool() = tool;
+  work.stroke.clear();
+}
+
+void step_back(Work& work) {
+  View& view = work.view;
+  if (work.jobs.busy()) {
+    work.jobs.cancel();
+  } else if (work.outline) {
+    work.outline.reset();
+  } else if (!work.stroke.empty()) {
+    work.stroke.clear();
+  } else if (view.exporting) {
+    view.exporting = false;
+  } else if (view.posed) {
+    view.posed.reset();
+  } else {
+    view.contour = view.joint = -1;
+  }
+}
+
+void toggle_play(Work& work) {
+  View& view = work.view;
+  view.playing = !view.playing;
+  view.posed.reset();
+  if (!view.welcome && view.mode != Mode::result) view.mode = Mode::result;
+  const std::vector<double>& times = work.built->model.clips[std::size_t(view.clip)].times;
+  if (view.playing && !times.empty() && view.time >= times.back()) view.time = 0;
+}
+
+void edit_outline(Work& work, Command command) {
+  const int frame = work.view.frame, contour = work.view.contour;
+  const Document& document = work.document();
+  const int joint = work.frame().contours[std::size_t(contour)].joint;
+  const std::string name = joint_words(document.skeleton.joints[std::size_t(joint)].name).whole();
+  if (command == Command::remove) {
+    work.commit("Delete " + name, without_contour(document, frame, contour));
+    work.view.contour = -1;
+  } else if (command == Command::mirror) {
+    if (std::optional<Document> next = with_contour_mirrored(document, frame, contour)) {
+      work.commit("Mirror " + name, std::move(*next));
+      work.view.contour = int(work.frame().contours.size()) - 1;
+    }
+  } else if (command == Command::copy_to) {
+    const int to = (frame + 1) % int(document.frames.size());
+    work.commit("Copy " + name, with_contour_copied(document, frame, contour, to));
+    work.view.frame = to;
+    work.view.contour = int(work.frame().contours.size()) - 1;
+  } else {
+    const int by = command == Command::behind ? -1 : 1;
+    work.commit(name + (by < 0 ? " behind" : " in front"),
+                with_contour_shifted(document, frame, contour, by));
+    work.view.contour += by;
+  }
+}
+
+void add_blank_drawing(Work& work) {
+  if (work.view.welcome) new_document(work);
+  Frame frame;
+  frame.name = "Drawing " + std::to_string(work.document().frames.size() + 1);
+  frame.width = work.has_frame() ? work.frame().width : 800;
+  frame.height = work.has_frame() ? work.frame().height : 800;
+  work.commit("Add " + frame.name, with_frame(work.document(), std::move(frame)));
+  work.view.frame = int(work.document().frames.size()) - 1;
+  work.view.fit = true;
+  work.view.tool() = work.view.mode == Mode::outline ? Tool::draw : work.view.tool();
+}
+
+void zoom_in_middle(View& view, float factor) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const ImVec2 about{size.x * 0.3f, size.y * 0.45f};
+  view.origin = {about.x + factor * (view.origin.x - about.x),
+                 about.y + factor * (view.origin.y - about.y)};
+  view.zoom *= factor;
+  view.fit = false;
+}
+
+}  // namespace
+
+void perform(Work& work, Command command) {
+  if (!available(work, command)) return;
+  View& view = work.view;
+  switch (command) {
+    case Command::none:
+      break;
+    case Command::new_document:
+      unless_unsaved(work, [&work] { new_document(work); });
+      break;
+    case Command::open:
+      unless_unsaved(work, [&work] {
+        if (work.platform.has_dialogs())
+          return work.platform.open_files(Platform::Kind::document, [&work](auto files) {
+            open_files(work, std::move(files));
+          });
+        ask_for_path(work, "Open", "The path of a document");
+      });
+      break;
+    case Command::add_drawings:
+      if (work.platform.has_dialogs())
+        work.platform.open_files(Platform::Kind::drawings,
+                                 [&work](auto files) { open_files(work, std::move(files)); });
+      else
+        ask_for_path(work, "Add a drawing", "The path of a PNG or JPEG");
+      break;
+    case Command::save:
+      save(work, false);
+      break;
+    case Command::save_as:
+      save(work, true);
+      break;
+    case Command::blank_drawing:
+      add_blank_drawing(work);
+      break;
+    case Command::export_model:
+      view.exporting = !view.exporting;
+      if (view.exporting && view.mode != Mode::result) set_mode(work, Mode::result);
+      break;
+    case Command::undo:
+      work.history.undo();
+      work.changed_at = ImGui::GetTime();
+      work.settle();
+      break;
+    case Command::redo:
+      work.history.redo();
+      work.changed_at = ImGui::GetTime();
+      work.settle();
+      break;
+    case Command::reconstruct:
+      start_job(work, JobRequest::Kind::reconstruct);
+      break;
+    case Command::calibrate:
+      start_job(work, JobRequest::Kind::calibrate);
+      break;
+    case Command::cancel_job:
+      step_back(work);
+      break;
+    case Command::mode_outline:
+      set_mode(work, Mode::outline);
+      break;
+    case Command::mode_skeleton:
+      set_mode(work, Mode::skeleton);
+      break;
+    case Command::mode_pose:
+      set_mode(work, Mode::pose);
+      break;
+    case Command::mode_result:
+      set_mode(work, Mode::result);
+      break;
+    case Command::previous_drawing:
+      go_to_drawing(work, -1);
+      break;
+    case Command::next_drawing:
+      go_to_drawing(work, 1);
+      break;
+    case Command::show_drawing:
+      view.layer().drawing = !view.layer().drawing;
+      break;
+    case Command::show_bones:
+      view.layer().bones = !view.layer().bones;
+      break;
+    case Command::show_model:
+      view.layer().model = !view.layer().model;
+      break;
+    case Command::fit:
+      view.fit = true;
+      break;
+    case Command::home:
+      if (work.built) look_at_model(work);
+      break;
+    case Command::zoom_in:
+      zoom_in_middle(view, 1.25f);
+      break;
+    case Command::zoom_out:
+      zoom_in_middle(view, 0.8f);
+      break;
+    case Command::play:
+      if (!(work.proposal && view.mode == Mode::pose)) toggle_play(work);  // there it compares
+      break;
+    case Command::fade:
+      view.layer().drawing_opacity = view.layer().drawing_opacity > 0.5f ? 0.3f : 0.85f;
+      break;
+    case Command::theme:
+      view.dark = !view.dark;
+      work.platform.store("theme", view.dark ? "dark" : "light");
+      break;
+    case Command::help:
+      view.help = !view.help;
+      break;
+    case Command::tool_edit:
+    case Command::tool_pose:
+      arm(work, view.mode == Mode::pose || view.mode == Mode::result ? Tool::pose : Tool::edit);
+      break;
+    case Command::tool_draw:
+      if (view.mode == Mode::outline) arm(work, Tool::draw);
+      break;
+    case Command::tool_points:
+      if (view.mode == Mode::outline) arm(work, Tool::points);
+      break;
+    case Command::tool_cut:
+      if (view.mode == Mode::outline) arm(work, Tool::cut);
+      break;
+    case Command::tool_twist:
+      if (view.mode == Mode::pose) arm(work, Tool::twist);
+      break;
+    case Command::mirror:
+    case Command::copy_to:
+    case Command::behind:
+    case Command::in_front:
+    case Command::remove:
+      edit_outline(work, command);
+      break;
+    case Command::flip: {
+      const Skeleton& skeleton = work.document().skeleton;
+      const std::string name = joint_words(skeleton.joints[std::size_t(view.joint)].name).whole();
+      work.commit("Flip " + name,
+                  with_pose(work.document(), view.frame,
+                            with_bone_flipped(skeleton, work.frame().pose, view.joint)));
+      break;
+    }
+    case Command::reset:
+      if (view.mode == Mode::result)
+        view.posed.reset();
+      else
+        work.commit("Reset pose", with_pose(work.document(), view.frame,
+                                            fitted_rest_pose(work.document(), work.frame())));
+      break;
+  }
+}
+
+// ---------------------------------------------------------------- jobs
+
+void start_job(Work& work, JobRequest::Kind kind) {
+  JobRequest request;
+  request.kind = kind;
+  request.document = document_text(work.drawings.whole(work.document()));
+  request.options.grid = work.document().settings.grid.value_or(work.platform.default_grid());
+  if (work.document().settings.triangles)
+    request.options.triangles = *work.document().settings.triangles;
+  if (work.document().settings.mirror) request.options.mirror = *work.document().settings.mirror;
+  work.running = kind;
+  work.running_revision = work.history.revision();
+  // Whoever starts a job from the welcome goes on with its document.
+  if (work.view.welcome) set_mode(work, Mode::result);
+  work.jobs.start(std::move(request));
+}
+
+void show_built(Work& work, Built built) {
+  const bool first = !work.built;
+  work.built = std::make_shared<Built>(std::move(built));
+  work.view.clip = 0;
+  work.view.posed.reset();
+  if (first) look_at_model(work);
+}
+
+namespace {
+
+void take_model(Work& work, JobResult result) {
+  Result<Built> built = built_from(result.glb, result.document);
+  if (!built) {
+    Toast toast;
+    toast.words = built.error().text();
+    toast.error = true;
+    work.say(std::move(toast));
+    return;
+  }
+  built->fits = std::move(result.fits);
+  built->warnings = std::move(result.warnings);
+  built->revision = work.running_revision;
+  Toast toast;
+  toast.words = "The model is ready.";
+  if (!built->warnings.empty()) toast.words += " " + built->warnings[0];
+  show_built(work, std::move(*built));
+  if (work.view.mode != Mode::result) {
+    toast.action = "See it move";
+    toast.act = [&work] {
+      set_mode(work, Mode::result);
+      work.view.time = 0;
+      work.view.playing = true;
+    };
+  }
+  work.say(std::move(toast));
+}
+
+void take_calibration(Work& work, const JobResult& result) {
+  if (work.running_revision != work.history.revision()) return;  // edited meanwhile
+  Result<Document> calibrated = parse_document(result.document, "the calibrated document");
+  if (!calibrated) return;
+  // The drawings stay where they are.
+  Document next = work.document();
+  for (std::size_t f = 0; f < next.frames.size(); ++f) {
+    next.frames[f].pose = calibrated->frames[f].pose;
+    next.frames[f].scale = calibrated->frames[f].scale;
+  }
+  Proposal proposal;
+  proposal.document = std::move(next);
+  proposal.coverage = result.coverage;
+  proposal.taken.assign(std::size_t(work.document().skeleton.size()), true);
+  proposal.since = ImGui::GetTime();
+  proposal.revision = work.history.revision();
+  work.proposal = std::move(proposal);
+  if (work.view.mode != Mode::pose) set_mode(work, Mode::pose);
+}
+
+}  // namespace
+
+void collect_job(Work& work) {
+  std::optional<Result<JobResult>> outcome = work.jobs.poll();
+  if (!outcome) return;
+  if (!*outcome) {
+    const Error& error = outcome->error();
+    Toast toast;
+    toast.words = error.kind == Error::Kind::cancelled ? "Stopped." : error.text();
+    toast.error = error.kind != Error::Kind::cancelled;
+    if (toast.error) {
+      toast.action = "Try again";
+      toast.act = [&work] { start_job(work, work.running); };
+    }
+    work.say(std::move(toast));
+    return;
+  }
+  if (work.running == JobRequest::Kind::reconstruct)
+    take_model(work, std::move(outcome->value()));
+  else
+    take_calibration(work, outcome->value());
+}
+
+}  // namespace artisketch

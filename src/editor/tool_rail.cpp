@@ -1,0 +1,74 @@
+#include "editor/panels.h"
+
+namespace artisketch {
+namespace {
+
+struct Entry {
+  Command command;
+  std::optional<Tool> tool;  // armed by it; else done at once
+};
+
+// What the mode offers; a gap before what acts at once.
+std::vector<Entry> tools_of(Mode mode) {
+  switch (mode) {
+    case Mode::outline:
+      return {{Command::tool_edit, Tool::edit},     {Command::tool_draw, Tool::draw},
+              {Command::tool_points, Tool::points}, {Command::tool_cut, Tool::cut},
+              {Command::mirror, std::nullopt},      {Command::copy_to, std::nullopt},
+              {Command::behind, std::nullopt},      {Command::remove, std::nullopt}};
+    case Mode::skeleton:
+      return {{Command::tool_edit, Tool::edit}};
+    case Mode::pose:
+      return {{Command::tool_pose, Tool::pose},
+              {Command::tool_twist, Tool::twist},
+              {Command::flip, std::nullopt},
+              {Command::reset, std::nullopt}};
+    case Mode::result:
+      return {{Command::tool_pose, Tool::pose}, {Command::reset, std::nullopt}};
+  }
+  return {};
+}
+
+}  // namespace
+
+void tool_rail(Work& work, const Layout& layout) {
+  const Theme& t = theme();
+  const std::vector<Entry> entries = tools_of(work.view.mode);
+  const bool words = !layout.compact;
+  const float height = layout.tablet    ? 60
+                       : layout.compact ? 40
+                                        : 52,
+              step = height + (layout.tablet ? 0 : 2);
+  constexpr float kGap = 13;
+  Rect place = layout.rail;
+  bool gap = false;
+  for (const Entry& entry : entries) gap = gap || (!entry.tool && entries[0].tool);
+  if (layout.tablet) place.h = step * float(entries.size()) + 8 + (gap ? kGap : 0);
+  const Panel panel("Tools", place, layout.tablet ? t.panel : t.panel,
+                    layout.tablet ? Panel::Layer::floating : Panel::Layer::base,
+                    layout.tablet ? kRadiusPanel : 0);
+  if (!layout.tablet) hairline({place.right() - 1, place.y}, {place.right(), place.bottom()});
+  Rect column = place.inset(4, layout.tablet ? 4 : 8);
+  bool acting = false;
+  for (const Entry& entry : entries) {
+    if (!entry.tool && !acting && gap) {
+      const Rect line = column.cut_top(kGap);
+      hairline({line.x + 10, line.centre().y}, {line.right() - 10, line.centre().y + 1});
+      acting = true;
+    }
+    const CommandWords& about = words_of(entry.command);
+    Look look;
+    look.icon = about.icon;
+    look.quiet = true;
+    look.on = entry.tool && work.view.tool() == *entry.tool;
+    look.hint = about.hint ? about.hint : about.name;
+    look.key = key_words(about, work.platform.mac_keys());
+    look.enabled = available(work, entry.command);
+    look.id = std::string(about.name) + " tool";
+    const Rect cell = column.cut_top(step);
+    if (tool_button(about.name, {cell.x, cell.y, cell.w, height}, look, words))
+      work.ask(entry.command);
+  }
+}
+
+}  // namespace artisketch

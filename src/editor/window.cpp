@@ -1,0 +1,116 @@
+#include "editor/window.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <GLES3/gl3.h>
+#include <SDL.h>
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
+#include <imgui_impl_sdl2.h>
+
+#include "editor/editor.h"
+#include "editor/fonts.h"
+#include "editor/theme.h"
+
+namespace artisketch {
+
+Result<Window> Window::open(const std::string& title, int width, int height) {
+  const auto failed = [](const char* what) { return io_error(std::string(what) + SDL_GetError()); };
+  SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
+  SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "1");
+#ifdef SDL_HINT_IME_SHOW_UI
+  SDL_SetHint(SDL_HINT_IME_SHOW_UI, "1");
+#endif
+  if (SDL_Init(SDL_INIT_VIDEO | SDL_INIT_TIMER) != 0) return failed("There is no screen: ");
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
+  SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
+
+  SDL_Rect screen;
+  if (SDL_GetDisplayUsableBounds(0, &screen) == 0) {
+    width = std::min(width, screen.w);
+    height = std::min(height, screen.h);
+  }
+  Window window;
+  window.window_ =
+      SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
+                       SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
+  if (!window.window_) return failed("The window could not be opened: ");
+  window.context_ = SDL_GL_CreateContext(window.window_);
+  if (!window.context_) return failed("OpenGL ES 3 could not be started: ");
+  SDL_GL_SetSwapInterval(1);
+
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+  io.MouseDragThreshold = 4;
+  ImGui_ImplSDL2_InitForOpenGL(window.window_, window.context_);
+  ImGui_ImplOpenGL3_Init("#version 300 es");
+  return window;
+}
+
+Window::Window(Window&& other) noexcept
+    : on_drop(std::move(other.on_drop)),
+      window_(std::exchange(other.window_, nullptr)),
+      context_(std::exchange(other.context_, nullptr)),
+      stirred_(other.stirred_),
+      pointer_(other.pointer_) {}
+
+Window::~Window() {
+  if (context_ && ImGui::GetCurrentContext()) {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplSDL2_Shutdown();
+    ImGui::DestroyContext();
+  }
+  if (context_) SDL_GL_DeleteContext(context_);
+  if (window_) SDL_DestroyWindow(window_);
+  if (window_) SDL_Quit();
+}
+
+bool Window::take_events(double seconds) {
+  SDL_Event event;
+  bool open = true;
+  int got = seconds > 0 ? SDL_WaitEventTimeout(&event, int(seconds * 1000)) : SDL_PollEvent(&event);
+  for (; got; got = SDL_PollEvent(&event)) {
+    stirred_ = true;
+    ImGui_ImplSDL2_ProcessEvent(&event);
+    if (event.type == SDL_QUIT) open = false;
+    if (event.type == SDL_MOUSEMOTION) pointer_ = {float(event.motion.x), float(event.motion.y)};
+    if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_LEAVE)
+      pointer_.reset();
+    if (event.type == SDL_DROPFILE) {
+      if (on_drop) on_drop(event.drop.file);
+      SDL_free(event.drop.file);
+    }
+  }
+  return open;
+}
+
+void Window::draw(Editor& editor) {
+  stirred_ = false;
+  int width = 0, height = 0, pixels_wide = 0, pixels_high = 0;
+  SDL_GetWindowSize(window_, &width, &height);
+  SDL_GL_GetDrawableSize(window_, &pixels_wide, &pixels_high);
+  const float ratio = width > 0 ? float(pixels_wide) / float(width) : 1;
+  if (fit_fonts(ratio)) ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplSDL2_NewFrame();
+  // The back end asks SDL for the pointer on the whole screen, which goes stale on X servers that
+  // send no raw events (VNC, Xvfb).
+  if (pointer_) ImGui::GetIO().AddMousePosEvent(pointer_->first, pointer_->second);
+  ImGui::NewFrame();
+  editor.frame(float(width), float(height), ratio);
+  ImGui::Render();
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, pixels_wide, pixels_high);
+  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(theme().panel);
+  glClearColor(ground.x, ground.y, ground.z, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  SDL_GL_SwapWindow(window_);
+}
+
+}  // namespace artisketch

@@ -1,0 +1,43 @@
+// An SDL window or the page's canvas with OpenGL ES 3 (WebGL2), and Dear ImGui in it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/result.h"
+
+struct SDL_Window;
+
+namespace artisketch {
+
+class Editor;
+struct NamedBytes;
+
+class Window {
+ public:
+  // Size in points. Fails where there is no screen or no OpenGL ES 3.
+  static Result<Window> open(const std::string& title, int width, int height);
+  Window(Window&& other) noexcept;
+  Window& operator=(Window&&) = delete;
+  ~Window();
+
+  // Takes what came in; waits for it up to `seconds`. False once the person closed the window.
+  bool take_events(double seconds);
+  // True if anything came in since the last draw.
+  bool stirred() const { return stirred_; }
+  void draw(Editor& editor);
+
+  std::function<void(const std::string& path)> on_drop;  // of a file onto the window
+  SDL_Window* handle() const { return window_; }
+
+ private:
+  Window() = default;
+  SDL_Window* window_ = nullptr;
+  void* context_ = nullptr;
+  bool stirred_ = true;
+  std::optional<std::pair<float, float>> pointer_;  // where it is over the window
+};
+
+}  // namespace artisketch

@@ -1,0 +1,132 @@
+#include "editor/work.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "document/edit.h"
+#include "files/document_file.h"
+#include "files/gltf.h"
+
+namespace artisketch {
+namespace {
+
+// The two keys about a time and how far between them it is.
+struct Between {
+  std::size_t a = 0, b = 0;
+  double t = 0;
+};
+Between between(const std::vector<double>& times, double time) {
+  const std::size_t after =
+      std::size_t(std::upper_bound(times.begin(), times.end(), time) - times.begin());
+  if (after == 0) return {};
+  if (after == times.size()) return {after - 1, after - 1, 0};
+  return {after - 1, after, (time - times[after - 1]) / (times[after] - times[after - 1])};
+}
+
+}  // namespace
+
+Pose pose_at(const Clip& clip, double time) {
+  const Between at = between(clip.times, time);
+  Pose pose = clip.poses[at.a];
+  const Pose& next = clip.poses[at.b];
+  pose.root_position += at.t * (next.root_position - pose.root_position);
+  for (std::size_t j = 0; j < pose.rotations.size(); ++j)
+    pose.rotations[j] = pose.rotations[j].slerp(at.t, next.rotations[j]);
+  return pose;
+}
+
+Vec3 footing_at(const Built& built, int clip, double time) {
+  const Between at = between(built.model.clips[std::size_t(clip)].times, time);
+  const std::vector<Vec3>& footing = built.footing[std::size_t(clip)];
+  return footing[at.a] + at.t * (footing[at.b] - footing[at.a]);
+}
+
+Result<Built> built_from(const std::string& glb, const std::string& document) {
+  Result<Model> model = read_glb(glb, "the model");
+  if (!model) return model.error();
+  Result<Document> made_from = parse_document(document, "the document");
+  if (!made_from) return made_from.error();
+  Built built{.model = std::move(*model),
+              .document = std::move(*made_from),
+              .fits = {},
+              .warnings = {},
+              .glb = glb,
+              .footing = {},
+              .picture = std::make_unique<ModelPicture>()};
+  for (const Clip& clip : built.model.clips) {
+    std::vector<Vec3>& footing = built.footing.emplace_back();
+    for (const Pose& pose : clip.poses) {
+      const Box3 box = bounds(
+          posed_vertices(built.model.mesh.V, built.model.weights, built.model.skeleton, pose));
+      footing.push_back(-Vec3(box.center().x(), box.min().y(), box.center().z()));
+    }
+  }
+  built.picture->load(built.model);
+  return built;
+}
+
+void Work::commit(std::string undo_name, Document next) {
+  history.commit(std::move(undo_name), std::move(next));
+  changed_at = ImGui::GetTime();
+  settle();
+}
+
+void Work::settle() {
+  const Document& now = document();
+  view.frame = std::clamp(view.frame, 0, std::max(0, int(now.frames.size()) - 1));
+  if (view.joint >= now.skeleton.size()) view.joint = -1;
+  if (!has_frame() || view.contour >= int(frame().contours.size())) view.contour = -1;
+  if (proposal && proposal->revision != history.revision()) proposal.reset();
+  if (outline && outline->frame >= int(now.frames.size())) outline.reset();
+}
+
+Pose Work::shown_pose() const {
+  const std::vector<Clip>& clips = built->model.clips;
+  if (view.mode == Mode::result || view.welcome) {
+    if (view.posed) return *view.posed;
+    return clips.empty() ? rest_pose(built->model.skeleton)
+                         : pose_at(clips[std::size_t(view.clip)], view.time);
+  }
+  if (clips.empty() || clips[0].poses.empty()) return rest_pose(built->model.skeleton);
+  return clips[0].poses[std::min(std::size_t(view.frame), clips[0].poses.size() - 1)];
+}
+
+Vec3 Work::shown_footing() const {
+  if (built->footing.empty() || built->footing[0].empty()) return Vec3::Zero();
+  if (view.mode == Mode::result || view.welcome) return footing_at(*built, view.clip, view.time);
+  return built->footing[0][std::min(std::size_t(view.frame), built->footing[0].size() - 1)];
+}
+
+namespace {
+constexpr double kCalibrating = 0.6;  // seconds from the person's pose to the calibrated one
+}
+
+bool Work::changing_pose() const {
+  return proposal && ImGui::GetTime() < proposal->since + kCalibrating;
+}
+
+Pose Work::drawn_pose() const {
+  const Pose& mine = frame().pose;
+  if (!proposal || proposal->shown == proposal->peeking) return mine;
+  const Pose& theirs = proposal->document.frames[std::size_t(view.frame)].pose;
+  const double t = std::clamp((ImGui::GetTime() - proposal->since) / kCalibrating, 0.0, 1.0);
+  return pose_at({"", {0, 1}, {mine, theirs}}, t * t * (3 - 2 * t));
+}
+
+double distance_of(const Work& work, int joint, int frame) {
+  if (!work.built || frame >= int(work.built->fits.size())) return -1;
+  for (const FrameFit::PartFit& fit : work.built->fits[std::size_t(frame)].parts)
+    if (fit.joint == joint) return fit.distance;
+  return -1;
+}
+
+Fit fit_of(const Work& work, int joint, int frame) {
+  for (const Contour& contour : work.document().frames[std::size_t(frame)].contours)
+    if (contour.joint == joint)
+      return distance_of(work, joint, frame) > kOff ? Fit::off : Fit::outlined;
+  return Fit::missing;
+}
+
+}  // namespace artisketch

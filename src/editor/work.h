@@ -1,0 +1,174 @@
+// What is being worked on, and how it is looked at. Panels read it and draw; commands change it.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/job.h"
+#include "document/history.h"
+#include "editor/commands.h"
+#include "editor/drawings.h"
+#include "editor/eye.h"
+#include "editor/model_picture.h"
+#include "editor/platform.h"
+
+namespace artisketch {
+
+enum class Mode { outline, skeleton, pose, result };
+inline constexpr int kModes = 4;
+enum class Tool { edit, draw, points, cut, pose, twist };
+
+// A finished model, and the document at the poses that it was made from.
+struct Built {
+  Model model;
+  Document document;
+  std::vector<FrameFit> fits;
+  std::vector<std::string> warnings;
+  std::string glb;
+  long revision = -1;  // of the document that it was made from
+  // Per clip and key: moves the posed model's feet to the middle of the ground.
+  std::vector<std::vector<Vec3>> footing;
+  std::unique_ptr<ModelPicture> picture;
+};
+Result<Built> built_from(const std::string& glb, const std::string& document);
+
+// Where a clip stands at a time; between keys as glTF interpolates.
+Pose pose_at(const Clip& clip, double time);
+Vec3 footing_at(const Built& built, int clip, double time);
+
+// A calibrated pose per drawing that waits for the person's word.
+struct Proposal {
+  Document document;
+  std::vector<PartCoverage> coverage;
+  std::vector<bool> taken;  // per joint
+  bool shown = true;        // the calibrated pose rather than the person's own
+  bool peeking = false;     // the other one, as long as a key is held
+  double since = 0;         // when it was shown: the change is animated
+  long revision = -1;
+};
+
+struct Layers {
+  bool drawing = true, outlines = true, bones = true, model = false;
+  float drawing_opacity = 0.85f, model_opacity = 1;
+};
+
+struct View {
+  bool welcome = true;
+  Mode mode = Mode::outline;
+  std::array<Tool, kModes> tools = {Tool::edit, Tool::edit, Tool::pose, Tool::pose};
+  std::array<Layers, kModes> layers;
+  int frame = 0;
+  int joint = -1;    // chosen part, −1: none
+  int contour = -1;  // chosen outline of the frame, −1: none
+
+  bool fit = true;  // the drawing fills the canvas
+  float zoom = 1;   // points per pixel of the sketch
+  ImVec2 origin;    // where the sketch's corner stands in the window
+
+  Orbit orbit;
+  Surface surface = Surface::textured;
+  bool model_bones = false;
+  bool swapped = false;  // tablets: the model fills the canvas's place
+
+  bool playing = false, looping = true;
+  int clip = 0;
+  double time = 0;            // seconds
+  std::optional<Pose> posed;  // the result as the person dragged it
+
+  bool exporting = false, all_drawings = false;
+  bool dark = true;
+  bool help = false;
+
+  Layers& layer() { return layers[std::size_t(mode)]; }
+  const Layers& layer() const { return layers[std::size_t(mode)]; }
+  Tool& tool() { return tools[std::size_t(mode)]; }
+  Tool tool() const { return tools[std::size_t(mode)]; }
+};
+
+struct Toast {
+  std::string words, action, other_action;
+  std::function<void()> act, other_act;
+  bool error = false;  // stays until it is dismissed
+  double since = -1;   // set when it is shown first
+};
+
+// What must be answered before work goes on; Esc is the last answer.
+struct Question {
+  std::string title, words;
+  struct Answer {
+    std::string words;
+    std::function<void()> act;  // may be empty
+    bool primary = false;
+  };
+  std::vector<Answer> answers;
+  bool asks_path = false;
+  std::string path;  // being typed
+  std::function<void(const std::string&)> with_path;
+};
+
+// An outline that was just drawn, and whose part it may be.
+struct NewOutline {
+  Polyline line;
+  int frame = 0;
+  int choice = 0;  // of the candidates
+  std::vector<int> joints;
+  std::vector<std::string> reasons;
+};
+
+struct Work {
+  Platform& platform;
+  Jobs& jobs;
+
+  History history;
+  Drawings drawings;
+  std::string name, place;        // of the file; empty before the first save
+  long saved = 0, autosaved = 0;  // revisions
+  double changed_at = 0;          // when the document changed last
+
+  std::shared_ptr<Built> built;
+  std::optional<Proposal> proposal;
+  std::optional<NewOutline> outline;
+  std::vector<Vec2> stroke;  // under the pointer, in the sketch's pixels
+  JobRequest::Kind running = JobRequest::Kind::reconstruct;
+  long running_revision = -1;
+
+  View view;
+  Picture over_sketch, model_seen;  // the model over the drawing, and from all sides
+  std::vector<Toast> toasts;
+  std::optional<Question> question;
+  bool closed = false;         // the person left
+  std::vector<Command> asked;  // by this frame's controls and keys
+
+  Work(Platform& platform, Jobs& jobs) : platform(platform), jobs(jobs) {}
+
+  const Document& document() const { return history.now(); }
+  bool has_frame() const { return view.frame < int(document().frames.size()); }
+  const Frame& frame() const { return document().frames[std::size_t(view.frame)]; }
+  bool unsaved() const { return history.revision() != saved; }
+  bool stale() const { return !built || built->revision != history.revision(); }
+  void ask(Command command) { asked.push_back(command); }
+  void say(Toast toast) { toasts.push_back(std::move(toast)); }
+  // The next state of the document, by its undo name.
+  void commit(std::string undo_name, Document next);
+  // Keeps what is chosen within the document.
+  void settle();
+
+  // The pose that the model shows: of the clip, the person's, or the drawing's.
+  Pose shown_pose() const;
+  Vec3 shown_footing() const;
+  // Poses of the drawing as the canvas shows them: the person's, or the proposal's.
+  Pose drawn_pose() const;
+  bool changing_pose() const;  // the proposal's animation is under way
+};
+
+// How a part fits a drawing.
+enum class Fit { outlined, missing, off };
+Fit fit_of(const Work& work, int joint, int frame);
+double distance_of(const Work& work, int joint, int frame);  // pixels; −1 where unknown
+inline constexpr double kOff = 3.5, kFarOff = 9;             // pixels: amber, red
+
+}  // namespace artisketch

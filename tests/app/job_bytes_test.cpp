@@ -1,0 +1,107 @@
+#include "app/job_bytes.h"
+
+#include <gtest/gtest.h>
+
+namespace artisketch {
+namespace {
+
+JobResult full_result() {
+  JobResult result;
+  result.document = "a document";
+  result.glb = std::string("glTF\0\1\2", 7);
+  result.report = "{}";
+  result.fits = {{0.75, {{3, 1.5}, {4, 2.5}}}, {0.5, {}}};
+  result.coverage = {{1, 2, 0.25, 0.875}};
+  result.spheres = {{2, Vec3(1, 2, 3), 0.125}};
+  result.undetermined = {"twist"};
+  result.warnings = {"one", "two"};
+  Mesh triangle;
+  triangle.V = Points3::Identity(3, 3);
+  triangle.F.resize(1, 3);
+  triangle.F << 0, 1, 2;
+  result.trace.add("arm/surface", triangle);
+  result.trace.add("arm/hull", Grid3<float>(Vec3::Zero(), 1, Index3(2, 2, 2)));
+  result.trace.add("arm/rims", Curves{{Vec3(0, 0, 1), Vec3(0, 1, 0)}, {}});
+  return result;
+}
+
+TEST(JobBytes, RequestSurvives) {
+  JobRequest request;
+  request.kind = JobRequest::Kind::calibrate;
+  request.document = std::string("text with \0 in it", 17);
+  request.options = {Method::paper, 64, false, true, 1234, false};
+  request.trace = true;
+  const auto back = read_job_request(job_bytes(request));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->kind, request.kind);
+  EXPECT_EQ(back->document, request.document);
+  EXPECT_EQ(back->options.method, Method::paper);
+  EXPECT_EQ(back->options.grid, 64);
+  EXPECT_FALSE(back->options.calibrate);
+  EXPECT_TRUE(back->options.visual_hull);
+  EXPECT_EQ(back->options.triangles, 1234);
+  EXPECT_FALSE(back->options.mirror);
+  EXPECT_TRUE(back->trace);
+}
+
+TEST(JobBytes, ProgressSurvives) {
+  const auto back = read_job_progress(job_bytes(Progress{"surfaces", "forearm.L", 7, 15, 0.625}));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->stage, "surfaces");
+  EXPECT_EQ(back->item, "forearm.L");
+  EXPECT_EQ(back->part, 7);
+  EXPECT_EQ(back->parts, 15);
+  EXPECT_EQ(back->fraction, 0.625);
+}
+
+TEST(JobBytes, ResultSurvivesButForTheTracesFields) {
+  const JobResult made = full_result();
+  const auto back = read_job_outcome(job_bytes(Result<JobResult>(made)));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->document, made.document);
+  EXPECT_EQ(back->glb, made.glb);
+  EXPECT_EQ(back->report, made.report);
+  ASSERT_EQ(back->fits.size(), 2u);
+  EXPECT_EQ(back->fits[0].iou, 0.75);
+  ASSERT_EQ(back->fits[0].parts.size(), 2u);
+  EXPECT_EQ(back->fits[0].parts[1].joint, 4);
+  EXPECT_EQ(back->fits[0].parts[1].distance, 2.5);
+  ASSERT_EQ(back->coverage.size(), 1u);
+  EXPECT_EQ(back->coverage[0].frame, 2);
+  EXPECT_EQ(back->coverage[0].after, 0.875);
+  ASSERT_EQ(back->spheres.size(), 1u);
+  EXPECT_EQ(back->spheres[0].centre, Vec3(1, 2, 3));
+  EXPECT_EQ(back->spheres[0].radius, 0.125);
+  EXPECT_EQ(back->undetermined, made.undetermined);
+  EXPECT_EQ(back->warnings, made.warnings);
+  ASSERT_EQ(back->trace.entries.size(), 2u);
+  EXPECT_EQ(back->trace.entries[0].name, "arm/surface");
+  EXPECT_EQ(std::get<Mesh>(back->trace.entries[0].what).V, Points3::Identity(3, 3));
+  EXPECT_EQ(std::get<Mesh>(back->trace.entries[0].what).F(0, 2), 2);
+  EXPECT_EQ(std::get<Curves>(back->trace.entries[1].what)[0][1], Vec3(0, 1, 0));
+}
+
+TEST(JobBytes, ErrorKeepsItsKindAndFaults) {
+  for (const Error& error :
+       {Error{Error::Kind::bad_input, {"first", "second"}}, cancelled(), out_of_memory(100)}) {
+    const auto back = read_job_outcome(job_bytes(Result<JobResult>(error)));
+    ASSERT_FALSE(back);
+    EXPECT_EQ(back.error().kind, error.kind);
+    EXPECT_EQ(back.error().faults, error.faults);
+  }
+}
+
+TEST(JobBytes, WhatIsCutShortOrTooLongIsRefused) {
+  const std::string bytes = job_bytes(Result<JobResult>(full_result()));
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    const auto back = read_job_outcome(std::string_view(bytes).substr(0, size));
+    ASSERT_FALSE(back) << size;
+    EXPECT_EQ(back.error().kind, Error::Kind::crashed);
+  }
+  EXPECT_FALSE(read_job_outcome(bytes + "x"));
+  EXPECT_FALSE(read_job_request(""));
+  EXPECT_FALSE(read_job_progress(std::string(200, '\xff')));
+}
+
+}  // namespace
+}  // namespace artisketch

@@ -1,0 +1,143 @@
+#include "app/job.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "files/bytes.h"
+#include "files/document_file.h"
+#include "files/gltf.h"
+
+namespace artisketch {
+namespace {
+
+using Kind = JobRequest::Kind;
+
+std::string example_text(const std::string& name) {
+  const auto text =
+      read_file(ARTISKETCH_SOURCE_DIR "/assets/examples/" + name + "/" + name + ".artisketch");
+  EXPECT_TRUE(text);
+  return *text;
+}
+
+JobRequest heart(Kind kind = Kind::reconstruct) {
+  JobRequest request;
+  request.kind = kind;
+  request.document = example_text("heart");
+  request.options.grid = 32;
+  return request;
+}
+
+TEST(Job, MakesWhatReconstructMakes) {
+  const JobRequest request = heart();
+  artisketch::Run run, other;
+  const auto job = run_job(request, run);
+  ASSERT_TRUE(job);
+  const auto document = parse_document(request.document, "heart");
+  const auto direct = reconstruct(*document, request.options, other);
+  ASSERT_TRUE(direct);
+  EXPECT_EQ(job->glb, *glb_bytes(direct->model));
+  EXPECT_EQ(job->document, document_text(direct->calibrated));
+  ASSERT_EQ(job->fits.size(), direct->fits.size());
+  EXPECT_EQ(job->fits[1].iou, direct->fits[1].iou);
+  EXPECT_EQ(job->coverage.size(), direct->calibration->coverage.size());
+  EXPECT_EQ(job->undetermined, direct->calibration->undetermined);
+  EXPECT_EQ(job->warnings, direct->warnings);
+  EXPECT_NE(job->report.find("\"stages\""), std::string::npos);
+}
+
+TEST(Job, CalibrationGivesPosesAndNoModel) {
+  const JobRequest request = heart(Kind::calibrate);
+  artisketch::Run run, other;
+  const auto job = run_job(request, run);
+  ASSERT_TRUE(job);
+  const auto document = parse_document(request.document, "heart");
+  const auto direct = calibrate(*document, {}, other);
+  EXPECT_EQ(job->document, document_text(with_poses(*document, *direct)));
+  EXPECT_NE(job->document, document_text(*document)) << "the heart's second pose is off";
+  EXPECT_TRUE(job->glb.empty());
+  EXPECT_TRUE(job->fits.empty());
+}
+
+TEST(Job, TraceIsKeptWhereAsked) {
+  JobRequest request = heart();
+  request.options.method = Method::paper;
+  artisketch::Run run;
+  EXPECT_TRUE(run_job(request, run)->trace.entries.empty());
+  request.trace = true;
+  const auto job = run_job(request, run);
+  ASSERT_TRUE(job);
+  EXPECT_FALSE(job->trace.entries.empty());
+  for (const Trace::Entry& entry : job->trace.entries)
+    EXPECT_FALSE(std::holds_alternative<Grid3<float>>(entry.what)) << entry.name;
+  EXPECT_EQ(run.trace, nullptr);
+}
+
+TEST(Job, SpheresAreThoseThatJoinTheParts) {
+  JobRequest request;
+  request.document = example_text("robot");
+  request.options.grid = 24;
+  artisketch::Run run;
+  const auto job = run_job(request, run);
+  ASSERT_TRUE(job);
+  EXPECT_FALSE(job->spheres.empty());
+  for (const JointSphere& sphere : job->spheres) EXPECT_GT(sphere.radius, 0);
+  EXPECT_EQ(job->fits.size(), 2u);
+}
+
+TEST(Job, FaultsOfTheDocumentComeInWords) {
+  JobRequest request = heart();
+  request.document = R"({"artisketch": 1})";
+  artisketch::Run run;
+  const auto job = run_job(request, run);
+  ASSERT_FALSE(job);
+  EXPECT_EQ(job.error().kind, Error::Kind::bad_input);
+  EXPECT_NE(job.error().text().find("camera"), std::string::npos) << job.error().text();
+}
+
+TEST(Job, ProgressRisesToOneAndNamesParts) {
+  artisketch::Run run;
+  std::vector<Progress> seen;
+  run.on_progress = [&seen](const Progress& now) { seen.push_back(now); };
+  ASSERT_TRUE(run_job(heart(), run));
+  ASSERT_FALSE(seen.empty());
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end(), [](const Progress& a, const Progress& b) {
+    return a.fraction < b.fraction;
+  }));
+  EXPECT_EQ(seen.back().fraction, 1);
+  EXPECT_TRUE(std::any_of(seen.begin(), seen.end(), [](const Progress& p) {
+    return p.stage == "surfaces" && !p.item.empty();
+  }));
+}
+
+TEST(Job, CancelledBeforeItBegins) {
+  const std::atomic<bool> cancel = true;
+  artisketch::Run run;
+  run.cancel = &cancel;
+  for (const Kind kind : {Kind::reconstruct, Kind::calibrate}) {
+    const auto job = run_job(heart(kind), run);
+    ASSERT_FALSE(job);
+    EXPECT_EQ(job.error().kind, Error::Kind::cancelled);
+  }
+}
+
+TEST(Job, WhatIsThrownBecomesWords) {
+  artisketch::Run run;
+  run.on_progress = [](const Progress&) { throw std::bad_alloc(); };
+  const auto starved = run_job(heart(), run);
+  ASSERT_FALSE(starved);
+  EXPECT_EQ(starved.error().kind, Error::Kind::out_of_memory);
+  run.on_progress = [](const Progress&) { throw std::runtime_error("the roof fell in"); };
+  const auto broken = run_job(heart(), run);
+  ASSERT_FALSE(broken);
+  EXPECT_EQ(broken.error().kind, Error::Kind::crashed);
+  EXPECT_NE(broken.error().text().find("the roof fell in"), std::string::npos);
+}
+
+TEST(Job, LackOfMemorySuggestsACoarserGridWhileThereIsOne) {
+  EXPECT_NE(out_of_memory(96).text().find("try 64"), std::string::npos);
+  EXPECT_EQ(out_of_memory(32).text().find("try"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace artisketch

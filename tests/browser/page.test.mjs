@@ -1,0 +1,262 @@
+// The page as people get it, in Chromium: from a plain static server and from disk.
+//   node --test tests/browser/       (./dev test browser)
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import test, { after, before } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { brotliCompressSync } from 'node:zlib';
+
+import { serve } from '../../web/serve.mjs';
+import { browser, open, root } from './chromium.mjs';
+import { difference, surface } from './glb.mjs';
+
+const built = process.env.ARTISKETCH_WEB ?? join(root, 'build', 'web');
+const single = pathToFileURL(join(built, 'artisketch.html')).href;
+const shots = join(built, 'shots');
+const validator = createRequire(join(root, 'build', 'node', 'package.json'))('gltf-validator');
+
+let site;
+before(async () => {
+  site = await serve(join(built, 'site'));
+  mkdirSync(shots, {recursive: true});
+});
+after(() => site.close());
+
+const hasHero = (state) => state.mode === 'welcome' && state.hasModel;
+const isDone = (state) => !state.busy && state.hasModel;
+
+// The hero as a document of one's own, in outline mode.
+async function openHero(editor) {
+  await editor.until(hasHero);
+  await editor.click('Outline mode');
+  await editor.until((state) => state.mode === 'outline' && state.frames > 0);
+}
+
+// Share of the picture's pixels that are unlike its commonest colour.
+async function variety(page, clip) {
+  const png = (await page.screenshot({clip})).toString('base64');
+  return page.evaluate(async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const canvas = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    canvas.drawImage(image, 0, 0);
+    const pixels = new Uint32Array(canvas.getImageData(0, 0, image.width, image.height).data.buffer);
+    const counts = new Map();
+    for (const p of pixels) counts.set(p, (counts.get(p) ?? 0) + 1);
+    return 1 - Math.max(...counts.values()) / pixels.length;
+  }, png);
+}
+
+for (const [where, url] of [['a static server', () => site.url], ['disk', () => single]]) {
+  test(`from ${where}: opens, shows the hero, asks for nothing from elsewhere`, async (t) => {
+    const editor = await open(await browser(t), url());
+    const state = await editor.until(hasHero, 10);
+    assert.ok(state.frames >= 2, 'the hero has several drawings');
+    assert.ok(await variety(editor.page, {x: 100, y: 100, width: 1000, height: 500}) > 0.05, 'the hero is seen');
+    for (const request of editor.requests) {
+      assert.ok(request.startsWith(site.url) || request.startsWith(single) || /^(data|blob):/.test(request), request);
+    }
+    assert.deepEqual(editor.faults, []);
+  });
+
+  test(`from ${where}: reconstructs with progress while frames are drawn, and cancels`, async (t) => {
+    const editor = await open(await browser(t), url());
+    await openHero(editor);
+    await editor.click('Reconstruct');
+    await editor.until((state) => state.busy);
+    await editor.page.evaluate(() => {
+      window.progress = [];
+      window.watch = setInterval(() => {
+        const {busy, stage, progress} = artisketch.state();
+        if (busy) window.progress.push([stage, progress]);
+      }, 50);
+    });
+    const began = Date.now();
+    const first = await editor.frames();
+    await editor.until(isDone, 60);
+    const seconds = (Date.now() - began) / 1000;
+    const rate = (await editor.frames() - first) / seconds;
+    assert.ok(rate > 1, `${rate} frames a second`); // in software on two cores that others use too
+    const progress = await editor.page.evaluate(() => { clearInterval(window.watch); return window.progress; });
+    assert.ok(new Set(progress.map(([stage]) => stage)).size >= 2, `stages: ${progress}`);
+    assert.ok(progress.every(([, share], i) => i === 0 || share >= progress[i - 1][1]), 'progress never falls');
+    t.diagnostic(`reconstructed in ${seconds.toFixed(1)} s, ${rate.toFixed(0)} frames a second meanwhile`);
+
+    await editor.click('Reconstruct');
+    await editor.until((state) => state.busy && state.progress > 0);
+    const asked = Date.now();
+    const shown = await editor.frames();
+    await editor.click('Cancel');
+    const state = await editor.until((now) => !now.busy);
+    // The pointer comes, presses and lets go, each in a frame of its own: where a machine without
+    // graphics takes longer than 0.3 s over those, no frame more may pass than they and the answer take.
+    const frames = await editor.frames() - shown;
+    t.diagnostic(`cancelled in ${Date.now() - asked} ms, ${frames} frames`);
+    assert.ok(Date.now() - asked < 300 || frames <= 8, `cancelled after ${frames} frames`);
+    assert.ok(state.hasModel, 'the old model stays');
+
+    await editor.click('Reconstruct');
+    await editor.until((now) => now.busy);
+    await editor.until(isDone, 60);
+    assert.deepEqual(editor.faults, []);
+  });
+}
+
+test('the downloaded model is valid, and the command line\'s', async (t) => {
+  const editor = await open(await browser(t), site.url);
+  await openHero(editor);
+  await editor.click('Reconstruct');
+  await editor.until((state) => state.busy);
+  await editor.until(isDone, 60);
+  await editor.click('Export');
+  const button = await editor.widget(/^Export .*\.glb$/);
+  const {name, bytes} = await editor.download(() => editor.click(button.label));
+  assert.match(name, /\.glb$/);
+  const {issues} = await validator.validateBytes(new Uint8Array(bytes));
+  assert.equal(issues.numErrors + issues.numWarnings, 0, JSON.stringify(issues.messages));
+
+  const folder = mkdtempSync(join(tmpdir(), 'artisketch-models-'));
+  t.after(() => rmSync(folder, {recursive: true}));
+  const out = join(folder, 'hero.glb');
+  execFileSync(join(root, 'build', 'native', 'artisketch'), [
+    'reconstruct', join(root, 'assets/examples/hero/hero.artisketch'), '-o', out, '--grid', '64', '--quiet']);
+  const apart = difference(surface(bytes), surface(readFileSync(out)));
+  t.diagnostic(`the surfaces are ${apart} of the model's size apart`);
+  assert.ok(apart <= 1e-4, `apart by ${apart}`);
+});
+
+test('a worker that crashes or lacks memory is reported in words, and the next one works', async (t) => {
+  const context = await browser(t);
+  let wrong = 'crash';
+  await context.route('**/worker.js', async (route) => {
+    const answer = await route.fetch();
+    let body = await answer.text();
+    if (wrong === 'crash') body += '\n;onmessage = () => { throw new Error("a test broke it"); };';
+    if (wrong === 'memory') {
+      body += '\n;onmessage = ({data}) => { if (data.request) postMessage({died: {why: "out of memory", ofMemory: true}}); };';
+    }
+    wrong = {crash: 'memory', memory: 'none', none: 'none'}[wrong];
+    await route.fulfill({response: answer, body});
+  });
+  const editor = await open(context, site.url);
+  await openHero(editor);
+  await editor.click('Reconstruct');
+  assert.match((await editor.until((s) => !s.busy && /broke off/.test(s.message))).message, /a test broke it/);
+  await editor.click('Reconstruct');
+  await editor.until((s) => !s.busy && /memory/.test(s.message));
+  await editor.click('Reconstruct');
+  await editor.until((s) => s.busy);
+  assert.ok((await editor.until(isDone, 60)).frames > 0, 'the document is untouched');
+});
+
+test('what was saved comes back, drawings and all', async (t) => {
+  const editor = await open(await browser(t), site.url);
+  await openHero(editor);
+  const saved = await editor.save();
+  assert.match(saved.name, /\.artisketch$/);
+  const document = JSON.parse(saved.bytes);
+  assert.ok(document.frames.every((frame) => frame.image.startsWith('data:image/')), 'drawings are inside');
+
+  const again = await open(editor.page.context(), site.url);
+  await again.until(hasHero);
+  await drop(again.page, saved.name, saved.bytes);
+  const state = await again.until((s) => s.mode !== 'welcome' && s.frames > 0);
+  assert.equal(state.frames, document.frames.length);
+  assert.deepEqual(state.joints, document.skeleton.joints.map((joint) => joint.name));
+  assert.deepEqual(JSON.parse((await again.save()).bytes), document);
+});
+
+async function drop(page, name, bytes) {
+  await page.evaluate(({name, data}) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))], name));
+    document.getElementById('canvas').dispatchEvent(
+      new DragEvent('drop', {dataTransfer: transfer, bubbles: true, cancelable: true}));
+  }, {name, data: bytes.toString('base64')});
+}
+
+test('a killed tab loses three seconds at most', async (t) => {
+  const context = await browser(t);
+  const editor = await open(context, site.url);
+  await openHero(editor);
+  const {page} = editor;
+  await editor.click('Draw tool');
+  const [x, y] = [60, 60];
+  await editor.drag(0, Array.from({length: 41}, (_, i) => {
+    const angle = i * Math.PI / 20;
+    return [x + 25 * Math.cos(angle), y + 25 * Math.sin(angle)];
+  }));
+  await page.keyboard.press('Enter');
+  await editor.until((state) => state.canUndo);
+  await page.waitForTimeout(3000);
+  const crash = await context.newCDPSession(page);
+  crash.send('Page.crash').catch(() => {});
+  await page.waitForEvent('crash');
+
+  const again = await open(context, site.url);
+  await again.until((state) => /not saved|Recovered/.test(state.message));
+  await again.click('Keep');
+  await again.until((state) => state.mode !== 'welcome' && state.frames > 0);
+  const document = JSON.parse((await again.save()).bytes);
+  const near = ([px, py]) => Math.hypot(px - x, py - y) < 30;
+  assert.ok(document.frames[0].contours.some(({points}) => points.every(near)), 'the new outline is there');
+});
+
+test('at rest nothing is drawn', async (t) => {
+  const editor = await open(await browser(t), site.url);
+  await openHero(editor);
+  await editor.page.waitForTimeout(4000); // hover fades, the worker begins, the autosave is written
+  const first = await editor.frames();
+  await editor.page.waitForTimeout(2000);
+  assert.equal(await editor.frames() - first, 0);
+});
+
+test('every control stands in the accessibility tree, and can be pressed there', async (t) => {
+  const editor = await open(await browser(t), site.url);
+  await openHero(editor);
+  const {page} = editor;
+  for (const {label} of await editor.widgets()) {
+    await page.getByRole('button', {name: label, exact: true, includeHidden: false}).first().waitFor({state: 'attached'});
+  }
+  await page.keyboard.press('F6');
+  assert.equal(await page.evaluate(() => document.activeElement.parentElement.id), 'controls');
+  await page.getByRole('button', {name: 'Pose mode', exact: true}).focus();
+  await page.keyboard.press('Enter');
+  await editor.until((state) => state.mode === 'pose');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'canvas');
+});
+
+for (const [name, size] of Object.entries({
+  'outline-dark': {width: 1440, height: 900}, 'outline-light': {width: 1440, height: 900, dark: false},
+  'outline-small': {width: 1280, height: 720}, 'outline-tablet': {width: 820, height: 1180},
+})) {
+  test(`picture ${name}`, async (t) => {
+    const editor = await open(await browser(t, size), site.url);
+    await editor.until(hasHero);
+    await editor.page.waitForTimeout(300);
+    await editor.page.screenshot({path: join(shots, `${name.replace('outline', 'welcome')}.png`)});
+    await openHero(editor);
+    await editor.page.waitForTimeout(500);
+    await editor.page.screenshot({path: join(shots, `${name}.png`)});
+    // Nothing stands outside the window.
+    for (const {label, x, y, width, height} of await editor.widgets()) {
+      assert.ok(x >= -1 && y >= -1 && x + width <= size.width + 1 && y + height <= size.height + 1, label);
+    }
+    assert.deepEqual(editor.faults, []);
+  });
+}
+
+test('the page is small', () => {
+  const packed = (name) => brotliCompressSync(readFileSync(join(built, 'site', name))).length;
+  const loaded = readdirSync(join(built, 'site')).filter((name) => name.includes('.'));
+  const all = [...loaded, 'examples/hero.artisketch', 'examples/hero.glb'].map(packed).reduce((a, b) => a + b);
+  assert.ok(all <= 1.5e6, `${all} bytes compressed`);
+  const file = statSync(join(built, 'artisketch.html')).size;
+  assert.ok(file <= 4e6, `${file} bytes in the single file`);
+});

@@ -1,0 +1,82 @@
+// Puts the page together from what was compiled, twice: OUT/site/, static files for any web host, and
+// OUT/artisketch.html, all of it in one file that works from disk.
+//   node assemble.mjs OUT EXAMPLE…
+// OUT holds editor.js, editor.wasm, core.js, core.wasm, and examples/NAME.artisketch and NAME.glb.
+import { createHash } from 'node:crypto';
+import { mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const [out, ...examples] = process.argv.slice(2);
+const site = join(out, 'site');
+const source = (name) => readFileSync(join(here, name), 'utf8');
+const built = (name) => readFileSync(join(out, name));
+
+// What the page loads, by the name that it asks for.
+const files = new Map([
+  ['editor.wasm', built('editor.wasm')],
+  ['core.wasm', built('core.wasm')],
+  ['worker.js', Buffer.concat([built('core.js'), Buffer.from(source('worker.js'))])],
+]);
+for (const name of examples) {
+  for (const kind of ['artisketch', 'glb']) {
+    files.set(`examples/${name}.${kind}`, built(`examples/${name}.${kind}`));
+  }
+}
+const scripts = [['editor.js', built('editor.js').toString()], ['page.js', source('page.js')]];
+const style = source('page.css');
+
+// Nothing from elsewhere, nothing to elsewhere.
+function policy(sources) {
+  return Object.entries({
+    'default-src': "'none'", 'base-uri': "'none'", 'form-action': "'none'", 'img-src': 'data:', ...sources,
+  }).map(([what, from]) => `${what} ${from}`).join('; ');
+}
+
+function page(parts) {
+  return source('shell.html').replace(/@([A-Z]+)@/g, (_, name) => parts[name]);
+}
+
+// ---------------------------------------------------------------- the site
+
+rmSync(site, {recursive: true, force: true});
+mkdirSync(join(site, 'examples'), {recursive: true});
+for (const [name, bytes] of files) writeFileSync(join(site, name), bytes);
+for (const [name, text] of scripts) writeFileSync(join(site, name), text);
+writeFileSync(join(site, 'page.css'), style);
+writeFileSync(join(site, 'index.html'), page({
+  POLICY: policy({
+    'script-src': "'self' 'wasm-unsafe-eval'", 'style-src': "'self'", 'connect-src': "'self'",
+    'worker-src': "'self'",
+  }),
+  EXAMPLES: examples.join(' '),
+  STYLE: '<link rel="stylesheet" href="page.css">\n' +
+    '<link rel="preload" href="editor.wasm" as="fetch" crossorigin>',
+  FILES: '',
+  SCRIPTS: scripts.map(([name]) => `<script src="${name}"></script>`).join('\n'),
+}));
+
+// ---------------------------------------------------------------- the single file
+
+const hash = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
+for (const [name, text] of scripts) {
+  if (/<\/script|<!--/i.test(text)) throw new Error(`${name} would end its own element`);
+}
+const single = join(out, 'artisketch.html');
+writeFileSync(single, page({
+  POLICY: policy({
+    'script-src': `${scripts.map(([, text]) => hash(text)).join(' ')} 'wasm-unsafe-eval'`,
+    'style-src': hash(style), 'worker-src': 'blob:',
+  }),
+  EXAMPLES: examples.join(' '),
+  STYLE: `<style>${style}</style>`,
+  FILES: [...files].map(([name, bytes]) =>
+    `<script type="text/plain" id="file:${name}">${gzipSync(bytes, {level: 9}).toString('base64')}</script>`)
+    .join('\n'),
+  SCRIPTS: scripts.map(([, text]) => `<script>${text}</script>`).join('\n'),
+}));
+
+const kilobytes = (bytes) => `${Math.round(bytes / 1000)} kB`;
+console.log(`${single}: ${kilobytes(statSync(single).size)}`);
