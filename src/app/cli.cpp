@@ -12,12 +12,15 @@
 #include <unistd.h>
 
 #include "app/progress_line.h"
+#include "files/bvh_file.h"
 #include "files/bytes.h"
 #include "files/document_file.h"
 #include "files/gltf.h"
 #include "files/image_file.h"
+#include "files/mesh_file.h"
 #include "files/preview.h"
 #include "files/report_file.h"
+#include "model/retarget.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -33,9 +36,10 @@ void ask_to_stop(int) {
 }
 
 struct Arguments {
-  std::string in, out, calibrated, report, preview, method, size = "800x800";
+  std::string in, out, calibrated, report, preview, motion, method, size = "800x800";
   std::optional<int> grid, triangles;
-  bool no_calibrate = false, visual_hull = false, quiet = false, progress = false;
+  bool no_calibrate = false, no_texture = false, visual_hull = false, quiet = false,
+       progress = false;
   int frame = 0, turntable = 0;
   double yaw = 0, pitch = 0;
 };
@@ -157,22 +161,36 @@ std::string text_beside(Document document, const std::string& from, const std::s
   return document_text(document);
 }
 
-Result<std::string> preview_of(const Document& document, const std::string& path,
-                               const Reconstruction& result) {
-  std::vector<Image> sketches;
+// The frames' drawings, empty where a frame has none.
+Result<std::vector<Image>> load_drawings(const Document& document, const std::string& path) {
+  std::vector<Image> drawings;
   for (const Frame& frame : document.frames) {
     Result<Image> image = load_frame_image(frame, path);
     if (!image) return image.error();
-    sketches.push_back(std::move(*image));
+    drawings.push_back(std::move(*image));
   }
-  return png_bytes(contact_sheet(document, sketches, result));
+  return drawings;
 }
 
 int reconstruct_verb(const Arguments& a) {
+  const std::string ending = model_ending(a.out);
+  if (ending.empty()) {
+    std::fprintf(stderr, "-o %s: wanted a file that ends in .glb, .obj, .stl or .ply\n",
+                 a.out.c_str());
+    return kBadCommandLine;
+  }
   if (const auto error = unwritable({a.out, a.calibrated, a.report, a.preview}))
     return fail(*error);
   const Result<Document> document = read_document(a.in);
   if (!document) return fail(bad_input(document.error().text()));
+  std::optional<Clip> clip;
+  if (!a.motion.empty()) {
+    Result<Motion> motion = read_bvh(a.motion);
+    if (!motion) return fail(motion.error());
+    Result<Clip> moved = retargeted(*document, *motion);
+    if (!moved) return fail(bad_input(a.motion + ": " + moved.error().text()));
+    clip = std::move(*moved);
+  }
   PipelineOptions options;
   options.method = method_of(a, *document);
   options.grid = a.grid.value_or(document->settings.grid.value_or(options.grid));
@@ -181,25 +199,32 @@ int reconstruct_verb(const Arguments& a) {
   options.mirror = document->settings.mirror.value_or(options.mirror);
   options.calibrate = !a.no_calibrate;
   options.visual_hull = a.visual_hull;
+  std::vector<Image> drawings;
+  const bool texture = !a.no_texture && document->settings.texture.value_or(true);
+  if (texture || !a.preview.empty()) {
+    Result<std::vector<Image>> loaded = load_drawings(*document, a.in);
+    if (!loaded) return fail(bad_input(loaded.error().text()));
+    drawings = std::move(*loaded);
+  }
+  if (texture)
+    for (const Image& d : drawings) options.drawings.push_back({d.width, d.height, d.rgba});
   CommandRun command(a);
-  const Result<Reconstruction> result = reconstruct(*document, options, command.run);
+  Result<Reconstruction> result = reconstruct(*document, options, command.run);
   command.finish();
   if (!result) return fail(result.error());
   print_warnings(result->warnings);
+  if (clip) result->model.clips.insert(result->model.clips.begin() + 1, std::move(*clip));
 
   std::vector<Output> outputs;
-  Result<std::string> glb = glb_bytes(result->model);
-  if (!glb) return fail(glb.error());
-  const std::size_t size = glb->size();
+  Result<std::string> model = model_bytes_for(ending, result->model);
+  if (!model) return fail(model.error());
+  const std::size_t size = model->size();
   if (!a.calibrated.empty())
     outputs.push_back({a.calibrated, text_beside(result->calibrated, a.in, a.calibrated)});
   if (!a.report.empty()) outputs.push_back({a.report, report_text(*document, *result)});
-  if (!a.preview.empty()) {
-    Result<std::string> picture = preview_of(*document, a.in, *result);
-    if (!picture) return fail(bad_input(picture.error().text()));
-    outputs.push_back({a.preview, std::move(*picture)});
-  }
-  outputs.push_back({a.out, std::move(*glb)});
+  if (!a.preview.empty())
+    outputs.push_back({a.preview, png_bytes(contact_sheet(*document, drawings, *result))});
+  outputs.push_back({a.out, std::move(*model)});
   if (stop_asked) return fail(cancelled());
   if (const int status = write_all(outputs)) return status;
   if (!a.quiet) print_summary(a.out, size, *document, *result);
@@ -295,15 +320,18 @@ int run_cli(const std::vector<std::string>& arguments) {
                "artisketch"};
   app.set_version_flag("--version", "ArtiSketch " ARTISKETCH_VERSION);
   app.require_subcommand(1);
-  CLI::App& make =
-      *app.add_subcommand("reconstruct", "Make a rigged model (.glb) from a sketch document");
+  CLI::App& make = *app.add_subcommand("reconstruct", "Make a rigged model from a sketch document");
   add_run_flags(make, a);
-  make.add_option("-o,--output", a.out, "the model to write (.glb)")->required();
+  make.add_option("-o,--output", a.out,
+                  "the model to write (.glb, or its surface alone: .obj, .stl, .ply)")
+      ->required();
   make.add_option("--grid", a.grid, "cells along a part's longest side (default 100)")
       ->check(CLI::Range(16, 400));
   make.add_option("--triangles", a.triangles, "of the model, about (default 15000)")
       ->check(CLI::Range(100, 10000000));
   make.add_flag("--no-calibrate", a.no_calibrate, "trust the document's poses");
+  make.add_option("--motion", a.motion, "a recorded motion to add as a clip (.bvh)");
+  make.add_flag("--no-texture", a.no_texture, "leave the model plain");
   make.add_option("--calibrated", a.calibrated, "the document at the calibrated poses");
   make.add_option("--preview", a.preview,
                   "a contact sheet: drawings, result over them, four sides (.png)");

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "document/camera.h"
@@ -65,6 +66,12 @@ struct Animation {
   std::string unknown;
 };
 
+// Which joint a recorded motion's joint moves, where their names differ.
+struct MotionMap {
+  std::vector<std::pair<std::string, int>> joints;  // the motion's name, the document's joint
+  std::string unknown;
+};
+
 // What the command line's flags default to for this document.
 struct DocumentSettings {
   std::optional<int> grid;
@@ -86,6 +93,7 @@ struct Document {
   std::map<int, SphereTweak> spheres;  // by joint
   std::map<int, PartSettings> parts;   // by joint
   std::vector<Animation> animations;
+  MotionMap motion;
   DocumentSettings settings;
   std::string unknown;
 };

@@ -60,6 +60,7 @@ class Reader : JsonReader {
   void spheres(const Json& value, const JsonPath& at);
   void parts(const Json& value, const JsonPath& at);
   void animation(const Json& value, const JsonPath& at, std::size_t& keys);
+  void motion(const Json& value, const JsonPath& at);
   void settings(const Json& value, const JsonPath& at);
   void check_depths(const JsonPath& frames);
 
@@ -135,6 +136,7 @@ Document Reader::read(const Json& json) {
     std::size_t keys = 0;
     for (std::size_t i = 0; i < v->size(); ++i) animation((*v)[i], animations / i, keys);
   }
+  if (const Json* v = fields.find("motion")) motion(*v, root / "motion");
   if (const Json* v = fields.find("settings")) settings(*v, root / "settings");
   document_.unknown = fields.unknown();
   if (faults_.none()) check_depths(frames);
@@ -465,6 +467,27 @@ void Reader::animation(const Json& value, const JsonPath& at, std::size_t& count
     }
   }
   animation.unknown = fields.unknown();
+}
+
+void Reader::motion(const Json& value, const JsonPath& at) {
+  Fields fields(value, at, faults_);
+  const JsonPath joints_at = at / "joints";
+  const Json* joints = fields.find("joints");
+  if (joints && !joints->is_object())
+    wrong(joints_at, *joints, "an object of joint names by the motion's joint names");
+  else if (joints) {
+    std::set<int> moved;
+    for (const auto& [name, given] : joints->get_ref<const Json::object_t&>()) {
+      const JsonPath one = joints_at / name;
+      int j = 0;
+      if (!joint(given, one, j)) continue;
+      if (!moved.insert(j).second)
+        faults_.add(one, "names " + in_quotes(document_.skeleton.joints[j].name) +
+                             ", which another joint of the motion moves; each should stand once");
+      document_.motion.joints.emplace_back(name, j);
+    }
+  }
+  document_.motion.unknown = fields.unknown();
 }
 
 void Reader::settings(const Json& value, const JsonPath& at) {

@@ -68,6 +68,7 @@ class Writer {
   Json spheres() const;
   Json parts() const;
   Json animation(const Animation& animation) const;
+  Json motion() const;
   Json settings() const;
 
   const Document& document_;
@@ -88,6 +89,7 @@ Json Writer::whole() const {
     Json& animations = all["animations"] = Json::array();
     for (const Animation& a : document_.animations) animations.push_back(animation(a));
   }
+  if (Json map = motion(); !map.empty()) all["motion"] = std::move(map);
   if (Json defaults = settings(); !defaults.empty()) all["settings"] = std::move(defaults);
   return with_unknown(std::move(all), document_.unknown);
 }
@@ -192,6 +194,12 @@ Json Writer::animation(const Animation& animation) const {
     keys.push_back(with_unknown(std::move(one), key.unknown));
   }
   return with_unknown(std::move(out), animation.unknown);
+}
+
+Json Writer::motion() const {
+  Json out = Json::object();
+  for (const auto& [theirs, joint] : document_.motion.joints) out["joints"][theirs] = name(joint);
+  return with_unknown(std::move(out), document_.motion.unknown);
 }
 
 Json Writer::settings() const {

@@ -62,10 +62,20 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   if (!weights) return weights.error();
   stages.finish({{"unknowns", double(mesh->V.rows())}});
 
-  stages.start("fit", 0.95, 1);
   out.model = {
       document.name,           document.skeleton, std::move(*mesh), std::move(*weights), {}, {},
       clips_of(out.calibrated)};
+  if (!options.drawings.empty()) {
+    stages.start("texture", 0.95, 0.97);
+    Result<Model> model = textured(out.calibrated, options.drawings, out.model, run);
+    if (!model) return model.error();
+    out.model = std::move(*model);
+    const double texels =
+        out.model.texture ? double(out.model.texture->width) * out.model.texture->height : 0;
+    stages.finish({{"texels", texels}, {"vertices", double(out.model.mesh.V.rows())}});
+  }
+
+  stages.start("fit", 0.97, 1);
   out.fits = measure_fit(out.calibrated, out.model, out.parts);
   stages.finish({});
   run.report(1);

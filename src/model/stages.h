@@ -205,10 +205,11 @@ Points3 posed_vertices(const Points3& V, const Weights& weights, const Skeleton&
 
 // ---------------------------------------------------------------- the model
 
-struct Texture {
+struct Picture {
   int width = 0, height = 0;
-  std::vector<unsigned char> rgba;  // rows from the top
+  std::vector<unsigned char> rgba;  // rows from the top, sRGB, straight alpha
 };
+using Texture = Picture;
 
 // A clip of poses over time; times strictly increase.
 struct Clip {
@@ -230,6 +231,15 @@ struct Model {
   std::vector<Clip> clips;  // `frames` first
 };
 
+// The model with the drawings' colours: every triangle from the drawing that shows it best in its
+// own pose, else from a drawing of its mirror image, else from what surrounds it. Seams of the
+// texture split vertices; welded() is the same closed surface as before. The model as it is where
+// no drawing shows it.
+//   drawings  decoded, one per frame, of its size; empty ones are left out
+// Fails only if cancelled.
+Result<Model> textured(const Document& calibrated, std::span<const Picture> drawings,
+                       const Model& model, Run& run);
+
 // ---------------------------------------------------------------- the whole
 
 class PartCache;
@@ -238,10 +248,11 @@ struct PipelineOptions {
   Method method = kDefaultMethod;
   int grid = 100;
   bool calibrate = true;
-  bool visual_hull = false;    // plain hulls of the parts, united without blending
-  int triangles = 15000;       // of the model, about
-  bool mirror = true;          // joints see their mirror images' contours, where these agree
-  PartCache* cache = nullptr;  // keeps the parts' surfaces from one run to the next (part_cache.h)
+  bool visual_hull = false;       // plain hulls of the parts, united without blending
+  int triangles = 15000;          // of the model, about
+  bool mirror = true;             // joints see their mirror images' contours, where these agree
+  std::vector<Picture> drawings;  // one per frame, to colour the model with; none: plain
+  PartCache* cache = nullptr;     // keeps the parts' surfaces from one run to the next (part_cache.h)
 };
 
 struct StageTime {

@@ -108,6 +108,18 @@ TEST_F(CommandLine, ABadCommandLineIsStatusTwo) {
   EXPECT_EQ(out.rfind("ArtiSketch ", 0), 0u);
 }
 
+TEST_F(CommandLine, TheOutputsEndingChoosesItsFormat) {
+  EXPECT_EQ(run({"reconstruct", kCircles, "-o", path("c.fbx"), "--grid", "16"}), 2);
+  EXPECT_NE(err.find(".glb, .obj, .stl or .ply"), std::string::npos) << err;
+  EXPECT_FALSE(fs::exists(path("c.fbx")));
+  for (const char* ending : {"obj", "stl", "ply"})
+    EXPECT_EQ(run({"reconstruct", kCircles, "-o", path(std::string("c.") + ending), "--grid", "16",
+                   "--no-texture"}),
+              0)
+        << err;
+  EXPECT_EQ(read_file(path("c.ply"))->substr(0, 4), "ply\n");
+}
+
 TEST_F(CommandLine, AMissingFileAndAMissingFolderAreToldApart) {
   EXPECT_EQ(run({"reconstruct", path("none.artisketch"), "-o", path("x.glb")}), 1);
   EXPECT_EQ(run({"reconstruct", kCircles, "-o", path("none/x.glb")}), 3);

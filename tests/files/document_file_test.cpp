@@ -184,6 +184,28 @@ TEST(DocumentFile, RotationsAreKeptOrNormalised) {
   EXPECT_FALSE(with("[0, 0, 0, 0]"));
 }
 
+TEST(DocumentFile, AMotionsJointsAreMappedInOrder) {
+  const std::string with = spoilt(
+      "\"animations\":",
+      R"("motion": { "joints": { "Spine": "arm.L", "Hips": "body" }, "x": 1 }, "animations":)");
+  const auto document = parse_document(with, "F");
+  ASSERT_TRUE(document) << document.error().text();
+  ASSERT_EQ(document->motion.joints.size(), 2u);
+  EXPECT_EQ(document->motion.joints[0].first, "Spine");
+  EXPECT_EQ(document->skeleton.joints[document->motion.joints[0].second].name, "arm.L");
+  const auto again = parse_document(document_text(*document), "F");
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_EQ(again->motion.joints, document->motion.joints);
+  EXPECT_EQ(again->motion.unknown, document->motion.unknown);
+  for (const char* wrong : {R"({ "joints": { "a": "nobody" } })", R"({ "joints": ["body"] })",
+                            R"({ "joints": { "a": "body", "b": "body" } })"}) {
+    const auto refused = parse_document(
+        spoilt("\"animations\":", std::string("\"motion\": ") + wrong + ", \"animations\":"), "F");
+    ASSERT_FALSE(refused) << wrong;
+    EXPECT_NE(refused.error().text().find("/motion/joints"), std::string::npos);
+  }
+}
+
 TEST(DocumentFile, RepeatedPointsAreDropped) {
   const auto document =
       parse_document(spoilt("[[10, 10], [50, 10], [30, 40]]",

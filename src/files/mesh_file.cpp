@@ -1,0 +1,120 @@
+#include "files/mesh_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+
+#include "files/gltf.h"
+
+namespace artisketch {
+namespace {
+
+constexpr const char* kProgram = "ArtiSketch " ARTISKETCH_VERSION;
+
+template <class T>
+void append(std::string& out, const T& value) {  // little-endian, as all that we run on
+  char bytes[sizeof(T)];
+  std::memcpy(bytes, &value, sizeof(T));
+  out.append(bytes, sizeof(T));
+}
+
+void append_vector(std::string& out, const Vec3& v) {
+  for (int c = 0; c < 3; ++c) append(out, float(v[c]));
+}
+
+// The texture's colour at a vertex of the model.
+std::array<std::uint8_t, 3> colour_at(const Model& model, int vertex) {
+  const Texture& t = *model.texture;
+  const Vec2 p = model.texcoords[vertex].cwiseProduct(Vec2(t.width, t.height));
+  const int x = std::clamp(int(p.x()), 0, t.width - 1), y = std::clamp(int(p.y()), 0, t.height - 1);
+  const unsigned char* c = &t.rgba[4 * (std::size_t(y) * t.width + x)];
+  return {c[0], c[1], c[2]};
+}
+
+// Per vertex of `whole`, the welded model, a vertex of the model at the same place: the faces of
+// both are the same.
+std::vector<int> first_of(const Mesh& model, const Mesh& whole) {
+  std::vector<int> first(whole.V.rows(), -1);
+  for (Eigen::Index i = 0; i < whole.F.size(); ++i)
+    if (int& v = first[whole.F.data()[i]]; v < 0) v = model.F.data()[i];
+  return first;
+}
+
+}  // namespace
+
+std::string obj_text(const Model& model) {
+  const Mesh mesh = welded(model.mesh);
+  std::string out = std::string("# ") + kProgram + "\no surface\n";
+  char line[128];
+  for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
+    std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n", mesh.V(v, 0), mesh.V(v, 1),
+                  mesh.V(v, 2));
+    out += line;
+  }
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+    std::snprintf(line, sizeof line, "f %d %d %d\n", mesh.F(f, 0) + 1, mesh.F(f, 1) + 1,
+                  mesh.F(f, 2) + 1);
+    out += line;
+  }
+  return out;
+}
+
+std::string stl_bytes(const Model& model) {
+  const Mesh mesh = welded(model.mesh);
+  constexpr std::size_t kHeader = 80;  // must not begin with "solid", which means text
+  std::string out = kProgram;
+  out.resize(kHeader, ' ');
+  append(out, std::uint32_t(mesh.F.rows()));
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+    const Vec3 a = mesh.V.row(mesh.F(f, 0)).transpose(), b = mesh.V.row(mesh.F(f, 1)).transpose(),
+               c = mesh.V.row(mesh.F(f, 2)).transpose();
+    append_vector(out, (b - a).cross(c - a).normalized());
+    for (const Vec3& corner : {a, b, c}) append_vector(out, corner);
+    append(out, std::uint16_t(0));
+  }
+  return out;
+}
+
+std::string ply_bytes(const Model& model) {
+  const Mesh mesh = welded(model.mesh);
+  const bool coloured = model.texture && !model.texcoords.empty();
+  std::string out = std::string("ply\nformat binary_little_endian 1.0\ncomment ") + kProgram +
+                    "\nelement vertex " + std::to_string(mesh.V.rows()) +
+                    "\nproperty float x\nproperty float y\nproperty float z\n";
+  if (coloured) out += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  out += "element face " + std::to_string(mesh.F.rows()) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::vector<int> first = coloured ? first_of(model.mesh, mesh) : std::vector<int>();
+  for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
+    append_vector(out, mesh.V.row(v).transpose());
+    if (!coloured) continue;
+    for (const std::uint8_t c : colour_at(model, first[v])) append(out, c);
+  }
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+    append(out, std::uint8_t(3));
+    for (int k = 0; k < 3; ++k) append(out, std::int32_t(mesh.F(f, k)));
+  }
+  return out;
+}
+
+std::string model_ending(const std::string& path) {
+  for (const std::string ending : {".glb", ".obj", ".stl", ".ply"}) {
+    if (path.size() <= ending.size()) continue;
+    const auto same = [](char a, char b) { return a == b || a == b - 'a' + 'A'; };
+    if (std::equal(path.end() - std::ptrdiff_t(ending.size()), path.end(), ending.begin(), same))
+      return ending;
+  }
+  return "";
+}
+
+Result<std::string> model_bytes_for(const std::string& ending, const Model& model) {
+  Result<std::string> glb = glb_bytes(model);  // which also finds what is wrong with a model
+  if (!glb || ending == ".glb") return glb;
+  if (ending == ".obj") return obj_text(model);
+  if (ending == ".stl") return stl_bytes(model);
+  return ply_bytes(model);
+}
+
+}  // namespace artisketch

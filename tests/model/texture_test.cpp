@@ -1,0 +1,179 @@
+#include <gtest/gtest.h>
+
+#include "model/stages.h"
+
+namespace artisketch {
+namespace {
+
+constexpr int kSize = 120;
+constexpr double kScale = 40;  // pixels per unit
+
+struct Colour {
+  int r, g, b;
+};
+constexpr Colour kRed{200, 40, 40}, kBlue{40, 40, 200}, kInk{10, 10, 10};
+
+Pose turned(const Skeleton& skeleton, double degrees) {
+  Pose pose = rest_pose(skeleton);
+  pose.rotations[0] = Quat(Eigen::AngleAxisd(radians(degrees), Vec3::UnitY()));
+  return pose;
+}
+
+// A document of frames that are the rest pose turned by so many degrees.
+Document document_of(const Skeleton& skeleton, const std::vector<double>& turns) {
+  Document document;
+  document.camera.pixels_per_unit = kScale;
+  document.skeleton = skeleton;
+  for (const double turn : turns) {
+    Frame frame;
+    frame.width = frame.height = kSize;
+    frame.pose = turned(skeleton, turn);
+    document.frames.push_back(frame);
+  }
+  return document;
+}
+
+// A disc about the picture's middle, with a line of ink round it, on nothing.
+Picture disc(const Colour& colour, double radius = kScale) {
+  constexpr double kLine = 3;
+  Picture picture{kSize, kSize, std::vector<unsigned char>(4 * kSize * kSize, 0)};
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const double r = (Vec2(x + 0.5, y + 0.5) - Vec2::Constant(kSize / 2.0)).norm();
+      const Colour c = r > radius - kLine ? kInk : colour;
+      unsigned char* p = &picture.rgba[4 * (y * kSize + x)];
+      p[0] = c.r, p[1] = c.g, p[2] = c.b, p[3] = r < radius + 1 ? 255 : 0;
+    }
+  return picture;
+}
+
+Model model_of(Skeleton skeleton, Mesh mesh) {
+  Model model;
+  model.skeleton = std::move(skeleton);
+  model.mesh = std::move(mesh);
+  model.weights.joints.setZero(model.mesh.V.rows(), 4);
+  model.weights.weights.setZero(model.mesh.V.rows(), 4);
+  model.weights.weights.col(0).setOnes();
+  return model;
+}
+
+Model ball() {
+  Skeleton one;
+  one.joints = {{"body", -1, Vec3::Zero(), -1, ""}};
+  return model_of(one, icosphere(Vec3::Zero(), 1, 4));
+}
+
+Colour texel(const Model& model, int vertex) {
+  const Texture& t = *model.texture;
+  const Vec2 p = model.texcoords[vertex].cwiseProduct(Vec2(t.width, t.height));
+  const unsigned char* c = &t.rgba[4 * (std::size_t(p.y()) * t.width + std::size_t(p.x()))];
+  return {c[0], c[1], c[2]};
+}
+bool is(const Colour& a, const Colour& b, int within) {
+  return std::abs(a.r - b.r) <= within && std::abs(a.g - b.g) <= within &&
+         std::abs(a.b - b.b) <= within;
+}
+
+Model painted(const Document& document, const std::vector<Picture>& drawings, const Model& model) {
+  artisketch::Run run;
+  Result<Model> result = textured(document, drawings, model, run);
+  EXPECT_TRUE(result);
+  return std::move(result).value();
+}
+
+TEST(Texture, TheSurfaceStaysAsItWas) {
+  const Model plain = ball();
+  const Model model = painted(document_of(plain.skeleton, {0}), {disc(kRed)}, plain);
+  ASSERT_TRUE(model.texture);
+  ASSERT_EQ(Eigen::Index(model.texcoords.size()), model.mesh.V.rows());
+  EXPECT_EQ(model.weights.joints.rows(), model.mesh.V.rows());
+  for (const Vec2& uv : model.texcoords) {
+    EXPECT_GE(uv.minCoeff(), 0);
+    EXPECT_LE(uv.maxCoeff(), 1);
+  }
+  const Mesh whole = welded(model.mesh);
+  EXPECT_EQ(whole.V.rows(), plain.mesh.V.rows());
+  EXPECT_TRUE(topology(whole).manifold());
+  EXPECT_NEAR(signed_volume(whole), signed_volume(plain.mesh), 1e-12);
+}
+
+TEST(Texture, InkStaysOutlineAndTheFarSideTakesWhatSurroundsIt) {
+  const Model plain = ball();
+  const Model model = painted(document_of(plain.skeleton, {0}), {disc(kRed)}, plain);
+  for (int v = 0; v < model.mesh.V.rows(); ++v)
+    ASSERT_TRUE(is(texel(model, v), kRed, 6)) << model.mesh.V.row(v);
+}
+
+TEST(Texture, EachSideComesFromTheDrawingThatShowsIt) {
+  const Model plain = ball();
+  // Turned by −90° the model's +x side faces the camera.
+  const Model model =
+      painted(document_of(plain.skeleton, {0, -90}), {disc(kRed), disc(kBlue)}, plain);
+  int red = 0, blue = 0;
+  for (int v = 0; v < model.mesh.V.rows(); ++v) {
+    if (model.mesh.V(v, 2) > 0.95) red += is(texel(model, v), kRed, 6) ? 1 : -1000;
+    if (model.mesh.V(v, 0) > 0.95) blue += is(texel(model, v), kBlue, 6) ? 1 : -1000;
+  }
+  EXPECT_GT(red, 20);
+  EXPECT_GT(blue, 20);
+}
+
+// Two balls, one behind the other in the only drawing.
+Model pair_of_balls(bool mirrors) {
+  Skeleton skeleton;
+  skeleton.joints = {{"root", -1, Vec3::Zero(), 0, ""},
+                     {"ball.L", 0, {1.5, 0, 0}, mirrors ? 2 : -1, ""},
+                     {"ball.R", 0, {-1.5, 0, 0}, mirrors ? 1 : -1, ""}};
+  Mesh left = icosphere({1.5, 0, 0}, 1, 3), both = left;
+  const Mesh right = icosphere({-1.5, 0, 0}, 1, 3);
+  const auto n = left.V.rows();
+  both.V.conservativeResize(2 * n, 3);
+  both.V.bottomRows(n) = right.V;
+  both.F.conservativeResize(2 * left.F.rows(), 3);
+  both.F.bottomRows(left.F.rows()) = right.F.array() + int(n);
+  Model model = model_of(skeleton, both);
+  for (int v = 0; v < 2 * n; ++v) model.weights.joints(v, 0) = v < n ? 1 : 2;
+  return model;
+}
+
+TEST(Texture, WhatIsHiddenIsPaintedLikeItsMirrorImage) {
+  // Red in front, where x is positive, with a blue middle; the ball behind is never seen.
+  Picture drawing = disc(kRed);
+  const Picture spot = disc(kBlue, 14);
+  for (int i = 0; i < kSize * kSize; ++i) {
+    const double r = (Vec2(i % kSize + 0.5, i / kSize + 0.5) - Vec2::Constant(kSize / 2.0)).norm();
+    if (r < 10) std::copy_n(&spot.rgba[4 * i], 4, &drawing.rgba[4 * i]);
+  }
+  for (const bool mirrors : {true, false}) {
+    const Model plain = pair_of_balls(mirrors);
+    const Model model = painted(document_of(plain.skeleton, {-90}), {drawing}, plain);
+    int spots = 0;
+    for (int v = 0; v < model.mesh.V.rows(); ++v)
+      if (model.mesh.V(v, 0) < -2.48) spots += is(texel(model, v), kBlue, 6);
+    EXPECT_EQ(spots > 0, mirrors);
+  }
+}
+
+TEST(Texture, WithoutDrawingsTheModelStaysPlain) {
+  const Model plain = ball();
+  const Document document = document_of(plain.skeleton, {0});
+  for (const std::vector<Picture>& drawings :
+       {std::vector<Picture>{}, std::vector<Picture>{Picture{}},
+        std::vector<Picture>{Picture{2, 2, std::vector<unsigned char>(16, 255)}}}) {
+    const Model model = painted(document, drawings, plain);
+    EXPECT_FALSE(model.texture);
+    EXPECT_EQ(model.mesh.V.rows(), plain.mesh.V.rows());
+  }
+}
+
+TEST(Texture, TheSameTwice) {
+  const Model plain = ball();
+  const Document document = document_of(plain.skeleton, {0, -90});
+  const Model a = painted(document, {disc(kRed), disc(kBlue)}, plain),
+              b = painted(document, {disc(kRed), disc(kBlue)}, plain);
+  EXPECT_EQ(a.texture->rgba, b.texture->rgba);
+  EXPECT_EQ(a.mesh.F, b.mesh.F);
+}
+
+}  // namespace
+}  // namespace artisketch
