@@ -161,17 +161,6 @@ std::string text_beside(Document document, const std::string& from, const std::s
   return document_text(document);
 }
 
-// The frames' drawings, empty where a frame has none.
-Result<std::vector<Image>> load_drawings(const Document& document, const std::string& path) {
-  std::vector<Image> drawings;
-  for (const Frame& frame : document.frames) {
-    Result<Image> image = load_frame_image(frame, path);
-    if (!image) return image.error();
-    drawings.push_back(std::move(*image));
-  }
-  return drawings;
-}
-
 int reconstruct_verb(const Arguments& a) {
   const std::string ending = model_ending(a.out);
   if (ending.empty()) {
@@ -201,13 +190,10 @@ int reconstruct_verb(const Arguments& a) {
   options.visual_hull = a.visual_hull;
   std::vector<Image> drawings;
   const bool texture = !a.no_texture && document->settings.texture.value_or(true);
-  if (texture || !a.preview.empty()) {
-    Result<std::vector<Image>> loaded = load_drawings(*document, a.in);
-    if (!loaded) return fail(bad_input(loaded.error().text()));
-    drawings = std::move(*loaded);
-  }
-  if (texture)
-    for (const Image& d : drawings) options.drawings.push_back({d.width, d.height, d.rgba});
+  std::vector<std::string> missing;
+  if (texture || !a.preview.empty()) drawings = load_drawings(*document, a.in, missing);
+  print_warnings(missing);
+  if (texture) options.drawings = pictures(drawings);
   CommandRun command(a);
   Result<Reconstruction> result = reconstruct(*document, options, command.run);
   command.finish();

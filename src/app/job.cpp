@@ -6,6 +6,7 @@
 
 #include "files/document_file.h"
 #include "files/gltf.h"
+#include "files/image_file.h"
 #include "files/report_file.h"
 
 namespace artisketch {
@@ -20,9 +21,20 @@ void drop_fields(Trace& trace) {
   });
 }
 
+// The document without drawings that stand in files: a job sees none.
+Document drawings_inside(Document document) {
+  for (Frame& frame : document.frames)
+    if (frame.image.rfind("data:", 0) != 0) frame.image.clear();
+  return document;
+}
+
 Result<JobResult> run_reconstruction(const Document& document, const JobRequest& request,
                                      Run& run) {
-  Result<Reconstruction> made = reconstruct(document, request.options, run);
+  PipelineOptions options = request.options;
+  std::vector<std::string> missing;
+  if (document.settings.texture.value_or(true))
+    options.drawings = pictures(load_drawings(drawings_inside(document), "", missing));
+  Result<Reconstruction> made = reconstruct(document, options, run);
   if (!made) return made.error();
   Result<std::string> glb = glb_bytes(made->model);
   if (!glb) return glb.error();
@@ -37,6 +49,7 @@ Result<JobResult> run_reconstruction(const Document& document, const JobRequest&
   }
   out.fits = std::move(made->fits);
   out.warnings = std::move(made->warnings);
+  out.warnings.insert(out.warnings.end(), missing.begin(), missing.end());
   return out;
 }
 

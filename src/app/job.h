@@ -17,9 +17,10 @@ struct JobRequest {
     calibrate,    // poses alone
   };
   Kind kind = Kind::reconstruct;
-  std::string document;     // as document_text writes it; drawings, where wanted, as data: URIs
-  PipelineOptions options;  // of a calibration only the method counts
-  bool trace = false;       // keep intermediate meshes and curves
+  std::string document;  // as document_text writes it; drawings, where wanted, as data: URIs
+  PipelineOptions
+      options;         // of a calibration only the method counts; drawings come from `document`
+  bool trace = false;  // keep intermediate meshes and curves
 };
 
 struct JobResult {

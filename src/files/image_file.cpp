@@ -102,4 +102,26 @@ Result<Image> load_frame_image(const Frame& frame, const std::string& document_p
   return image;
 }
 
+std::vector<Image> load_drawings(const Document& document, const std::string& document_path,
+                                 std::vector<std::string>& warnings) {
+  std::vector<Image> drawings;
+  for (const Frame& frame : document.frames) {
+    Result<Image> image = load_frame_image(frame, document_path);
+    if (!image) warnings.push_back(image.error().text() + "; the model goes without its colours");
+    drawings.push_back(image ? std::move(*image) : Image());
+  }
+  return drawings;
+}
+
+std::vector<Picture> pictures(const std::vector<Image>& drawings) {
+  std::vector<Picture> all;
+  bool any = false;
+  for (const Image& drawing : drawings) {
+    all.push_back({drawing.width, drawing.height, drawing.rgba});
+    any = any || drawing.width > 0;
+  }
+  if (!any) all.clear();
+  return all;
+}
+
 }  // namespace artisketch

@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "document/document.h"
+#include "model/stages.h"
 
 namespace artisketch {
 
@@ -32,5 +33,12 @@ std::string png_bytes(const Image& image);
 // the frame has none. Fails, naming the frame and what to do, where it cannot be read or is not of
 // the frame's size.
 Result<Image> load_frame_image(const Frame& frame, const std::string& document_path);
+
+// The drawings of all frames: an empty one, and the reason in `warnings`, where one cannot be read.
+std::vector<Image> load_drawings(const Document& document, const std::string& document_path,
+                                 std::vector<std::string>& warnings);
+
+// As the texturing stage takes them; none where no frame has a drawing.
+std::vector<Picture> pictures(const std::vector<Image>& drawings);
 
 }  // namespace artisketch

@@ -29,7 +29,12 @@ TEST(JobBytes, RequestSurvives) {
   JobRequest request;
   request.kind = JobRequest::Kind::calibrate;
   request.document = std::string("text with \0 in it", 17);
-  request.options = {Method::paper, 64, false, true, 1234, false};
+  request.options.method = Method::paper;
+  request.options.grid = 64;
+  request.options.calibrate = false;
+  request.options.visual_hull = true;
+  request.options.triangles = 1234;
+  request.options.mirror = false;
   request.trace = true;
   const auto back = read_job_request(job_bytes(request));
   ASSERT_TRUE(back);
