@@ -120,11 +120,11 @@ constexpr unsigned kClay = 0xC9CDD3;
 
 // ---------------------------------------------------------------- pictures
 
-Picture::~Picture() {
+RenderTarget::~RenderTarget() {
   release();
 }
 
-void Picture::release() {
+void RenderTarget::release() {
   if (!texture_) return;
   glDeleteTextures(1, &texture_);
   glDeleteFramebuffers(1, &resolve_);
@@ -134,7 +134,7 @@ void Picture::release() {
   texture_ = 0;
 }
 
-void Picture::begin(int width, int height) {
+void RenderTarget::begin(int width, int height) {
   width = std::max(width, 1);
   height = std::max(height, 1);
   if (!texture_ || width != width_ || height != height_) {
@@ -170,7 +170,7 @@ void Picture::begin(int width, int height) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void Picture::end() {
+void RenderTarget::end() {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, smooth_);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolve_);
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -340,7 +340,7 @@ void ModelPicture::colour_vertices(const Model& model, const PaintOptions& optio
 }
 
 void ModelPicture::paint(const Model& model, const Eye& eye, const PaintOptions& options,
-                         Picture& picture, float pixel_ratio) {
+                         RenderTarget& picture, float pixel_ratio) {
   next_.clip = eye.clip;
   next_.turn = eye.turn;
   next_.options = options;

@@ -32,12 +32,12 @@ struct Scene {
 };
 
 // A picture to paint into, kept as an OpenGL texture with premultiplied alpha.
-class Picture {
+class RenderTarget {
  public:
-  Picture() = default;
-  Picture(const Picture&) = delete;
-  Picture& operator=(const Picture&) = delete;
-  ~Picture();
+  RenderTarget() = default;
+  RenderTarget(const RenderTarget&) = delete;
+  RenderTarget& operator=(const RenderTarget&) = delete;
+  ~RenderTarget();
   void begin(int width, int height);  // clears it
   void end();
   unsigned texture() const { return texture_; }
@@ -61,7 +61,7 @@ class ModelPicture {
   // Poses the model for what is painted next; `shift` moves it, in units.
   void pose(const Pose& pose, const Vec3& shift);
   // Leaves the picture alone where it shows just that already.
-  void paint(const Model& model, const Eye& eye, const PaintOptions& options, Picture& picture,
+  void paint(const Model& model, const Eye& eye, const PaintOptions& options, RenderTarget& picture,
              float pixel_ratio);
 
  private:

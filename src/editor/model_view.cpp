@@ -6,7 +6,7 @@
 
 namespace artisketch {
 
-void show_model(Work& work, const Eye& eye, const PaintOptions& options, Picture& picture,
+void show_model(Work& work, const Eye& eye, const PaintOptions& options, RenderTarget& picture,
                 float opacity, float pixel_ratio, float radius) {
   work.built->picture->paint(work.built->model, eye, options, picture, pixel_ratio);
   // OpenGL's pictures begin at the bottom.

@@ -38,7 +38,7 @@ bool available(const Work& work, Command command);
 void thumbnail(const Work& work, const Frame& frame, const Rect& place, bool outlines = true);
 
 // The model as seen by an eye, in a panel.
-void show_model(Work& work, const Eye& eye, const PaintOptions& options, Picture& picture,
+void show_model(Work& work, const Eye& eye, const PaintOptions& options, RenderTarget& picture,
                 float opacity, float pixel_ratio, float radius = 0);
 
 // Orbit round the whole model.

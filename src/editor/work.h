@@ -150,7 +150,7 @@ struct Work {
   long running_revision = -1;
 
   View view;
-  Picture over_sketch, model_seen;  // the model over the drawing, and from all sides
+  RenderTarget over_sketch, model_seen;  // the model over the drawing, and from all sides
   std::vector<Toast> toasts;
   std::optional<Question> question;
   bool closed = false;         // the person left
