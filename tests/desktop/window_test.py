@@ -15,7 +15,10 @@ pictures.mkdir(parents=True, exist_ok=True)
 class Window:
     """The editor, under Xvfb and a window manager that gives it the whole screen."""
 
+    open = []  # windows that a failed test would leave behind
+
     def __init__(self, size, document=None, home=None):
+        Window.open.append(self)
         self.home = home or tempfile.mkdtemp()
         read, write = os.pipe()
         self.screen = subprocess.Popen(
@@ -97,9 +100,13 @@ class Window:
             self.editor.stdin.write("quit\n")
             self.editor.stdin.flush()
             self.editor.wait(10)
-        for process in (self.manager, self.screen):
-            process.terminate()
+        self.kill()
+
+    def kill(self):
+        for process in (self.editor, self.manager, self.screen):
+            process.kill()
             process.wait(10)
+        Window.open.remove(self)
 
 
 def greets_with_the_hero():
@@ -185,8 +192,17 @@ def fits_every_screen():
         window.close()
 
 
-for test in (greets_with_the_hero, reconstructs_and_cancels, draws_and_undoes,
-             recovers_what_was_lost, fits_every_screen):
-    began = time.time()
-    test()
-    print(f"ok {test.__name__} ({time.time() - began:.1f} s)", flush=True)
+def out_of_time(*_):
+    raise TimeoutError("the window does not answer")
+
+
+signal.signal(signal.SIGALRM, out_of_time)
+try:
+    for test in (greets_with_the_hero, reconstructs_and_cancels, draws_and_undoes,
+                 recovers_what_was_lost, fits_every_screen):
+        began = time.time()
+        test()
+        print(f"ok {test.__name__} ({time.time() - began:.1f} s)", flush=True)
+finally:
+    for window in list(Window.open):
+        window.kill()
