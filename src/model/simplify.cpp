@@ -6,6 +6,7 @@
 #include <meshoptimizer.h>
 
 #include "base/coarsen.h"
+#include "model/fair.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -43,10 +44,14 @@ Mesh simplified(const Mesh& mesh, int triangles, double error) {
        wanted *= 1.25) {
     Mesh fewer = collapsed(even, int(wanted), error);
     const Topology after = topology(fewer);
-    if (after.manifold() && after.euler == before.euler && after.components == before.components)
+    // Thin places pass through each other where their sides are thinned apart.
+    if (after.manifold() && after.euler == before.euler && after.components == before.components &&
+        untangle(fewer) == 0)
       return fewer;
   }
-  return coarsened(even, std::max(triangles / 2, enough / 4));
+  Mesh fewer = coarsened(even, std::max(triangles / 2, enough / 4));
+  untangle(fewer);
+  return fewer;
 }
 
 }  // namespace artisketch
