@@ -216,15 +216,38 @@ Mesh without_unused_vertices(const Mesh& mesh) {
   return kept;
 }
 
+std::vector<int> first_at_place(const Mesh& mesh) {
+  std::vector<int> order(mesh.V.rows()), first(mesh.V.rows());
+  std::iota(order.begin(), order.end(), 0);
+  const auto place = [&](int v) {
+    return std::array<double, 3>{mesh.V(v, 0), mesh.V(v, 1), mesh.V(v, 2)};
+  };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return place(a) < place(b); });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    first[order[i]] =
+        i > 0 && place(order[i]) == place(order[i - 1]) ? first[order[i - 1]] : order[i];
+  return first;
+}
+
+namespace {
+
+Mesh with_joined_faces(Mesh mesh, const std::vector<int>& first) {
+  for (Eigen::Index i = 0; i < mesh.F.size(); ++i) mesh.F.data()[i] = first[mesh.F.data()[i]];
+  return mesh;
+}
+
+}  // namespace
+
 Mesh welded(const Mesh& mesh) {
-  std::map<std::array<double, 3>, int> first;
-  std::vector<int> index(mesh.V.rows());
-  for (int v = 0; v < mesh.V.rows(); ++v)
-    index[v] = first.try_emplace({mesh.V(v, 0), mesh.V(v, 1), mesh.V(v, 2)}, v).first->second;
-  Mesh kept = mesh;
-  for (int f = 0; f < kept.F.rows(); ++f)
-    for (int c = 0; c < 3; ++c) kept.F(f, c) = index[kept.F(f, c)];
-  return without_unused_vertices(kept);
+  return without_unused_vertices(with_joined_faces(mesh, first_at_place(mesh)));
+}
+
+Points3 seamless_normals(const Mesh& mesh) {
+  const std::vector<int> first = first_at_place(mesh);
+  const Points3 joined = vertex_normals(with_joined_faces(mesh, first));
+  Points3 normals(joined.rows(), 3);
+  for (int v = 0; v < normals.rows(); ++v) normals.row(v) = joined.row(first[v]);
+  return normals;
 }
 
 Mesh icosphere(const Vec3& centre, double radius, int subdivisions) {

@@ -37,6 +37,9 @@ Topology topology(const Mesh& mesh);
 // #V×3 unit normals, weighted by the angle at each corner (Thürmer and Wüthrich 1998). A vertex
 // without area gets +y.
 Points3 vertex_normals(const Mesh& mesh);
+// The same as if vertices at exactly the same place were one: they don't break where texture seams
+// split vertices.
+Points3 seamless_normals(const Mesh& mesh);
 
 double signed_volume(const Mesh& mesh);  // positive for closed, outward-facing meshes
 double surface_area(const Mesh& mesh);
@@ -58,6 +61,9 @@ std::vector<int> vertex_components(const Mesh& mesh, int* count = nullptr);
 Mesh largest_component(const Mesh& mesh);        // by |volume|
 Mesh without_unused_vertices(const Mesh& mesh);  // keeps the order
 Mesh welded(const Mesh& mesh);                   // vertices at exactly the same place become one
+
+// Per vertex, the first one at exactly the same place.
+std::vector<int> first_at_place(const Mesh& mesh);
 
 // Primitives, for tests, joint spheres and previews.
 Mesh icosphere(const Vec3& centre, double radius, int subdivisions);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 #include <tuple>
 
@@ -205,20 +204,13 @@ ModelPicture::~ModelPicture() {
 void ModelPicture::load(const Model& model) {
   static long loaded = 0;
   next_.model = ++loaded;
-  const int n = int(model.mesh.V.rows());
   if (!triangles_) {
     for (unsigned* array : {&triangles_, &edges_, &ground_}) glGenVertexArrays(1, array);
     for (unsigned* buffer :
          {&positions_, &normals_, &uvs_, &colours_, &faces_, &lines_, &ground_points_})
       glGenBuffers(1, buffer);
   }
-  std::map<std::tuple<double, double, double>, int> places;
-  welded_.resize(std::size_t(n));
-  for (int i = 0; i < n; ++i) {
-    const auto key = std::tuple(model.mesh.V(i, 0), model.mesh.V(i, 1), model.mesh.V(i, 2));
-    welded_[i] = places.emplace(key, int(places.size())).first->second;
-  }
-  welded_count_ = int(places.size());
+  first_ = first_at_place(model.mesh);
 
   std::vector<unsigned> faces, lines;
   for (Eigen::Index f = 0; f < model.mesh.F.rows(); ++f)
@@ -226,12 +218,12 @@ void ModelPicture::load(const Model& model) {
       const int a = model.mesh.F(f, k), b = model.mesh.F(f, (k + 1) % 3);
       faces.push_back(unsigned(a));
       // Each edge once: its two triangles run through it in opposite directions.
-      if (welded_[a] < welded_[b]) lines.insert(lines.end(), {unsigned(a), unsigned(b)});
+      if (first_[a] < first_[b]) lines.insert(lines.end(), {unsigned(a), unsigned(b)});
     }
   triangle_count_ = int(faces.size());
   edge_count_ = int(lines.size());
 
-  std::vector<float> uvs(std::size_t(n) * 2, 0.0f);
+  std::vector<float> uvs(std::size_t(model.mesh.V.rows()) * 2, 0.0f);
   for (std::size_t i = 0; i < model.texcoords.size(); ++i) {
     uvs[2 * i] = float(model.texcoords[i].x());
     uvs[2 * i + 1] = float(model.texcoords[i].y());
@@ -294,16 +286,16 @@ void ModelPicture::move_vertices(const Model& model, const Scene& scene) {
   Points3 V = posed_vertices(model.mesh.V, model.weights, model.skeleton, scene.pose);
   V.rowwise() += scene.shift.transpose();
   // Weighted by area: cheap, and the mesh is even.
-  Points3 sums = Points3::Zero(welded_count_, 3);
+  Points3 sums = Points3::Zero(V.rows(), 3);
   for (Eigen::Index f = 0; f < model.mesh.F.rows(); ++f) {
     const Index3 face = model.mesh.F.row(f).transpose();
     const Vec3 a = V.row(face[0]), b = V.row(face[1]), c = V.row(face[2]);
     const Vec3 normal = (b - a).cross(c - a);
-    for (int k = 0; k < 3; ++k) sums.row(welded_[face[k]]) += normal.transpose();
+    for (int k = 0; k < 3; ++k) sums.row(first_[face[k]]) += normal.transpose();
   }
   Points3 normals(V.rows(), 3);
   for (Eigen::Index i = 0; i < V.rows(); ++i)
-    normals.row(i) = sums.row(welded_[std::size_t(i)]).stableNormalized();
+    normals.row(i) = sums.row(first_[std::size_t(i)]).stableNormalized();
   fill(GL_ARRAY_BUFFER, positions_, floats(V), GL_DYNAMIC_DRAW);
   fill(GL_ARRAY_BUFFER, normals_, floats(normals), GL_DYNAMIC_DRAW);
 }

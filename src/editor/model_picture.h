@@ -71,9 +71,8 @@ class ModelPicture {
   unsigned positions_ = 0, normals_ = 0, uvs_ = 0, colours_ = 0, faces_ = 0, lines_ = 0;  // buffers
   unsigned texture_ = 0;
   int triangle_count_ = 0, edge_count_ = 0, ground_count_ = 0;
-  std::vector<int> welded_;  // vertices at the same place share a normal
-  int welded_count_ = 0;
-  Scene next_, posed_;  // what is wanted, and as the card has it
+  std::vector<int> first_;  // first_at_place: vertices at the same place share a normal
+  Scene next_, posed_;      // what is wanted, and as the card has it
   Surface coloured_for_ = Surface::textured;
   int coloured_joint_ = -2;
 };

@@ -113,26 +113,6 @@ std::string trouble(const Model& model) {
   return "";
 }
 
-// Normals of the surface as if vertices at the same place were one: seams of the texture don't
-// show.
-Points3 seamless_normals(const Mesh& mesh) {
-  std::vector<int> order(std::size_t(mesh.V.rows()));
-  std::iota(order.begin(), order.end(), 0);
-  const auto place = [&](int v) { return std::array{mesh.V(v, 0), mesh.V(v, 1), mesh.V(v, 2)}; };
-  std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return std::pair(place(a), a) < std::pair(place(b), b); });
-  std::vector<int> first(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] =
-        i > 0 && place(order[i]) == place(order[i - 1]) ? first[order[i - 1]] : order[i];
-  Mesh seamless = mesh;
-  for (Eigen::Index i = 0; i < mesh.F.size(); ++i)
-    seamless.F.data()[i] = first[std::size_t(mesh.F.data()[i])];
-  Points3 normals = vertex_normals(seamless);
-  for (int v = 0; v < int(first.size()); ++v) normals.row(v) = normals.row(first[v]).eval();
-  return normals;
-}
-
 // One vertex' influences as glTF wants them: joints named once, whole steps that add up, unused
 // ones joint 0.
 struct Influences {

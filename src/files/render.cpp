@@ -1,10 +1,8 @@
 #include "files/render.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "base/raster.h"
 #include "files/light.h"
@@ -231,25 +229,6 @@ void develop(const Shot& shot, int left, int top, Image& image) {
       for (int c = 0; c < 3; ++c) p[c] = std::uint8_t(255 * to_srgb(sum[c] / alpha) + 0.5f);
       p[3] = std::uint8_t(255 * alpha / (n * n) + 0.5f);
     }
-}
-
-// Normals that don't break where texture seams split vertices.
-Points3 seamless_normals(const Mesh& mesh) {
-  std::vector<int> order(mesh.V.rows()), first(mesh.V.rows());
-  std::iota(order.begin(), order.end(), 0);
-  const auto key = [&](int v) {
-    return std::array<double, 3>{mesh.V(v, 0), mesh.V(v, 1), mesh.V(v, 2)};
-  };
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
-  Mesh joined = mesh;
-  for (int f = 0; f < mesh.F.rows(); ++f)
-    for (int c = 0; c < 3; ++c) joined.F(f, c) = first[mesh.F(f, c)];
-  const Points3 N = vertex_normals(joined);
-  Points3 shared(N.rows(), 3);
-  for (int v = 0; v < N.rows(); ++v) shared.row(v) = N.row(first[v]);
-  return shared;
 }
 
 }  // namespace
