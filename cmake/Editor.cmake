@@ -108,6 +108,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/sheets.cpp
   src/editor/welcome.cpp
   src/editor/editor.cpp
+  src/editor/answers.cpp
   "${embedded}/kInterRegular.cpp"
   "${embedded}/kInterSemiBold.cpp"
   "${embedded}/kIcons.cpp"

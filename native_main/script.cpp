@@ -5,46 +5,17 @@
 #include <sstream>
 #include <thread>
 
-#include "editor/editor.h"
-#include "files/json.h"
+#include "editor/answers.h"
 
 namespace artisketch {
 namespace {
-
-Json widgets(const Editor& editor) {
-  Json all = Json::array();
-  for (const Widget& w : editor.widgets())
-    all.push_back({{"label", w.label},
-                   {"x", w.x},
-                   {"y", w.y},
-                   {"width", w.width},
-                   {"height", w.height},
-                   {"enabled", w.enabled},
-                   {"active", w.active}});
-  return all;
-}
-
-Json state(const Editor& editor) {
-  const EditorState s = editor.state();
-  return {{"mode", s.mode},
-          {"busy", s.busy},
-          {"stage", s.stage},
-          {"progress", s.progress},
-          {"frame", s.frame},
-          {"frames", s.frames},
-          {"joints", s.joints},
-          {"hasModel", s.has_model},
-          {"canUndo", s.can_undo},
-          {"message", s.message},
-          {"unsaved", editor.unsaved()}};
-}
 
 Json answer_to(const std::string& question, const Editor& editor) {
   std::istringstream words(question);
   std::string verb;
   words >> verb;
-  if (verb == "widgets") return widgets(editor);
-  if (verb == "state") return state(editor);
+  if (verb == "widgets") return widgets_json(editor);
+  if (verb == "state") return state_json(editor);
   int frame = 0;
   double x = 0, y = 0;
   if (verb == "project" && words >> frame >> x >> y) {

@@ -1,7 +1,6 @@
 // The page's module: the editor in a canvas. page.js calls the functions below, and nothing here
 // runs unless it does: it asks for a frame when something came in or moves.
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,9 +12,8 @@
 
 #include "app/job_worker.h"
 #include "browser.h"
-#include "editor/editor.h"
+#include "editor/answers.h"
 #include "editor/window.h"
-#include "files/json.h"
 
 // clang-format off
 EM_JS(void, host_post, (const char* bytes, std::size_t size), {
@@ -51,10 +49,6 @@ std::string text(const char* bytes, std::size_t size) {
 const char* answered(const Json& json) {
   page->answer = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   return page->answer.c_str();
-}
-
-Json rounded(double value) {
-  return std::round(value * 100) / 100;
 }
 
 }  // namespace
@@ -170,31 +164,11 @@ EMSCRIPTEN_KEEPALIVE void page_paste(const char* text) {
 }
 
 EMSCRIPTEN_KEEPALIVE const char* page_widgets() {
-  Json all = Json::array();
-  for (const Widget& w : page->editor.widgets())
-    all.push_back({{"label", w.label},
-                   {"x", rounded(w.x)},
-                   {"y", rounded(w.y)},
-                   {"width", rounded(w.width)},
-                   {"height", rounded(w.height)},
-                   {"enabled", w.enabled},
-                   {"active", w.active}});
-  return answered(all);
+  return answered(widgets_json(page->editor));
 }
 
 EMSCRIPTEN_KEEPALIVE const char* page_state() {
-  const EditorState s = page->editor.state();
-  return answered({{"mode", s.mode},
-                   {"busy", s.busy},
-                   {"stage", s.stage},
-                   {"progress", s.progress},
-                   {"frame", s.frame},
-                   {"frames", s.frames},
-                   {"joints", s.joints},
-                   {"hasModel", s.has_model},
-                   {"canUndo", s.can_undo},
-                   {"message", s.message},
-                   {"unsaved", page->editor.unsaved()}});
+  return answered(state_json(page->editor));
 }
 
 EMSCRIPTEN_KEEPALIVE const char* page_project(int frame, double x, double y) {
