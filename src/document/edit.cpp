@@ -248,27 +248,34 @@ Pose with_joint_at(const Skeleton& skeleton, const Pose& pose, int joint, const 
   return next;
 }
 
-Pose with_bone_flipped(const Skeleton& skeleton, const Pose& pose, int joint) {
+namespace {
+
+// The bone that ends at a joint, turned in the world as turn_of(bone) says;
+// a bone without length stays.
+template <class TurnOf>
+Pose with_bone_turned(const Skeleton& skeleton, const Pose& pose, int joint,
+                      const TurnOf& turn_of) {
   const int pivot = skeleton.joints[joint].parent;
   if (pivot < 0) return pose;
   const std::vector<Transform> posed = posed_joints(skeleton, pose);
   const Vec3 bone = posed[joint].translation() - posed[pivot].translation();
   Pose next = pose;
-  if (bone.norm() > 1e-9)
-    turn_in_world(skeleton, next, pivot,
-                  Quat::FromTwoVectors(bone, Vec3(bone.x(), bone.y(), -bone.z())));
+  if (bone.norm() > 1e-9) turn_in_world(skeleton, next, pivot, turn_of(bone));
   return next;
 }
 
+}  // namespace
+
+Pose with_bone_flipped(const Skeleton& skeleton, const Pose& pose, int joint) {
+  return with_bone_turned(skeleton, pose, joint, [](const Vec3& bone) {
+    return Quat::FromTwoVectors(bone, Vec3(bone.x(), bone.y(), -bone.z()));
+  });
+}
+
 Pose with_bone_twisted(const Skeleton& skeleton, const Pose& pose, int joint, double angle) {
-  const int pivot = skeleton.joints[joint].parent;
-  if (pivot < 0) return pose;
-  const std::vector<Transform> posed = posed_joints(skeleton, pose);
-  const Vec3 bone = posed[joint].translation() - posed[pivot].translation();
-  Pose next = pose;
-  if (bone.norm() > 1e-9)
-    turn_in_world(skeleton, next, pivot, Quat(Eigen::AngleAxisd(angle, bone.normalized())));
-  return next;
+  return with_bone_turned(skeleton, pose, joint, [angle](const Vec3& bone) {
+    return Quat(Eigen::AngleAxisd(angle, bone.normalized()));
+  });
 }
 
 Pose with_body_turned(Pose pose, const Quat& turn) {

@@ -24,7 +24,6 @@ namespace {
 
 constexpr double kRayStep = 3;             // units of the drawing between rays
 constexpr int kMostRays = 32;              // of one contour
-constexpr int kMostPairs = 96;             // of its rays and the frames they are held against
 constexpr int kIterations = 30;            // of one stage, at most
 constexpr double kWide = 12, kNarrow = 4;  // pixels: where the kernels let go
 constexpr double kNoise = 10;  // pixels²: what the stages take a ray's error for at first
@@ -270,7 +269,7 @@ SolvedPoses unneeded_held(const Document& document, const RayResiduals& residual
 
 Result<Calibration> calibrate_rays(const Document& document, Run& run) {
   Calibration result;
-  const RayResiduals residuals = RayResiduals(document, kRayStep, kMostRays).thinned(kMostPairs);
+  const RayResiduals residuals = RayResiduals(document, kRayStep, kMostRays).thinned();
   const PoseFreedom freedom = freedom_of(document, result.warnings);
   const double shift = kPriorShare * freedom.max_translation;
   const PosePrior widest{kPriorShare * freedom.max_rotation, shift, shift, kPriorScale};

@@ -23,7 +23,6 @@ constexpr double kOtherLength = 0.1;  // relative difference of lengths that is 
 // deviation all along a stretch of contour this long.
 constexpr double kOpenAngle = radians(10);
 constexpr double kNoise = 10;      // square pixels times pixels
-constexpr int kMostPairs = 96;     // rays of a contour, times the frames they are held against
 constexpr double kEndOn = 0.95;    // cosine: a bone that points at the camera
 constexpr double kOffJoint = 0.2;  // of a leaf's radius: its middle shows where it points
 
@@ -185,7 +184,7 @@ double cost_of(const RayResiduals& rays, const RayResiduals::Part& part,
 // part's rays slide along its outline as it turns, which no first derivative shows. So each angle
 // is tried.
 void name_open_angles(const Document& document, const RayResiduals& rays, Calibration& result) {
-  const RayResiduals few = rays.thinned(kMostPairs);
+  const RayResiduals few = rays.thinned();
   Placement placement = placed(document, result.poses, result.scales);
   const double noise = kNoise * rays.unit() * rays.unit();
   std::map<std::pair<int, Turn>, std::set<int>> open;  // frames by joint and kind

@@ -70,7 +70,6 @@ double landmark_energy(const RayResiduals& residuals, const Skeleton& skeleton,
   if (loss.centroid <= 0) return energy;
   for (const RayResiduals::Part& part : residuals.parts()) {
     const bool has_bone = !skeleton.children(part.joint).empty();
-    const Vec3 bone = middle_of_bones(skeleton, part.joint);
     const double pull = has_bone ? loss.bone / (part.radius * part.radius) : 0;
     Vec3 c = part.middle(placement);
     if (!all_in_front(part, placement, c)) continue;
@@ -79,12 +78,12 @@ double landmark_energy(const RayResiduals& residuals, const Skeleton& skeleton,
       const Rows rows(part, placement, c, loss.centroid);
       QQ = rows.Q.transpose() * rows.Q;
       QQ.diagonal().array() += kRidge * QQ.trace() + pull;
-      const Vec3 next = c - QQ.inverse() * (rows.Q.transpose() * rows.r + pull * (c - bone));
+      const Vec3 next = c - QQ.inverse() * (rows.Q.transpose() * rows.r + pull * (c - part.bone));
       if (!all_in_front(part, placement, next)) break;
       c = next;
     }
     const Rows rows(part, placement, c, loss.centroid);
-    energy += rows.r.squaredNorm() + pull * (c - bone).squaredNorm();
+    energy += rows.r.squaredNorm() + pull * (c - part.bone).squaredNorm();
     if (!systems) continue;
     const MatrixXd J = motion_rows(part, placement, c, loss.centroid);
     const MatrixXd JQ = J.transpose() * rows.Q;

@@ -53,7 +53,7 @@ class RayResiduals {
   // The same with fewer rays a contour where more frames show a part, at most `most` times a frame
   // that they are held against: cost would grow with the square of the frames, and what rays say
   // does not.
-  RayResiduals thinned(int most) const;
+  RayResiduals thinned(int most = 96) const;
   // The same for the parts of some joints alone (per joint: whether it's wanted).
   RayResiduals of(const std::vector<char>& joints) const;
   // The drawing's own pixel: what counts as one in a figure drawn some 500 pixels large. Energies
