@@ -99,7 +99,11 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/top_bar.cpp
   src/editor/tool_rail.cpp
   src/editor/canvas.cpp
+  src/editor/pointer.cpp
   src/editor/tools.cpp
+  src/editor/outline_tools.cpp
+  src/editor/skeleton_tools.cpp
+  src/editor/pose_tools.cpp
   src/editor/model_view.cpp
   src/editor/inspector.cpp
   src/editor/pose_panel.cpp

@@ -1,0 +1,260 @@
+// Outline: what the pointer does to contours.
+#include <cmath>
+
+#include "document/edit.h"
+#include "editor/pointer.h"
+#include "editor/tools.h"
+
+namespace artisketch {
+namespace {
+
+int contour_at(const Work& work, const OnScreen& on, ImVec2 p) {
+  int best = -1;
+  float nearest = kReach;
+  const std::vector<Contour>& contours = work.frame().contours;
+  for (int i = 0; i < int(contours.size()); ++i) {
+    const float distance = nearest_on(contours[std::size_t(i)].line, on, p).distance;
+    if (distance <= nearest) nearest = distance, best = i;
+  }
+  return best;
+}
+
+void paint_points(const Polyline& line, const OnScreen& on, ImU32 colour, ImVec2 pointer) {
+  for (const Vec2& point : line.points) {
+    const ImVec2 p = on.of(point);
+    const bool near = apart(p, pointer) < kReach;
+    draw().AddCircleFilled(p, near ? 4.7f : 3.7f, colour);
+    draw().AddCircleFilled(p, near ? 3.7f : 2.7f, rgb(0xFFFFFF));
+  }
+}
+
+// Only points some way apart on screen are handles: a traced outline has hundreds.
+std::vector<int> handles(const Polyline& line, const OnScreen& on) {
+  constexpr float kApart = 14;
+  std::vector<int> result;
+  for (int i = 0; i < int(line.points.size()); ++i)
+    if (result.empty() || apart(on.of(line.points[std::size_t(result.back())]),
+                                on.of(line.points[std::size_t(i)])) >= kApart)
+      result.push_back(i);
+  return result;
+}
+
+// The points within a handle's reach follow it, less the farther along the line they are.
+std::vector<Vec2> dragged(const Polyline& line, const std::vector<Vec2>& from, int point,
+                          const Vec2& by, double reach) {
+  std::vector<Vec2> points = from;
+  const int n = int(points.size());
+  points[std::size_t(point)] += by;
+  for (int way : {1, -1}) {
+    double along = 0;
+    for (int k = 1; k < n; ++k) {
+      const int i = point + way * k;
+      if (!line.closed && (i < 0 || i >= n)) break;
+      const std::size_t here = std::size_t((i % n + n) % n),
+                        before = std::size_t(((i - way) % n + n) % n);
+      along += (from[here] - from[before]).norm();
+      if (along >= reach) break;
+      const double t = along / reach, weight = (1 - t * t) * (1 - t * t);
+      points[here] += weight * by;
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+void edit_tool(Work& work, const Pointer& p, const OnScreen& on) {
+  View& view = work.view;
+  const bool chosen = view.contour >= 0;
+  if (chosen) {
+    const Contour& contour = work.frame().contours[std::size_t(view.contour)];
+    const std::vector<int> ends = handles(contour.line, on);
+    Polyline shown{{}, contour.line.closed};
+    for (int i : ends) shown.points.push_back(contour.line.points[std::size_t(i)]);
+    paint_points(shown, on, joint_tint(contour.joint), p.screen);
+    if (p.pressed) {
+      work.gesture = {};
+      float best = kReach;
+      for (int i : ends) {
+        const float distance = apart(on.of(contour.line.points[std::size_t(i)]), p.screen);
+        if (distance < best) best = distance, work.gesture.point = i;
+      }
+      work.gesture.contour = view.contour;
+      work.gesture.from = p.at;
+      work.gesture.points = contour.line.points;
+    }
+    if (p.double_clicked && work.gesture.point < 0) {
+      const OnLine place = nearest_on(contour.line, on, p.screen);
+      if (place.distance < kReach) {
+        std::vector<Vec2> points = contour.line.points;
+        points.insert(points.begin() + std::ptrdiff_t(place.segment) + 1, p.at);
+        work.commit("Add point", with_contour_points(work.document(), view.frame, view.contour,
+                                                     std::move(points)));
+        return;
+      }
+    }
+  } else if (p.pressed) {
+    work.gesture = {};
+  }
+  if (p.dragging && work.gesture.point >= 0 && work.gesture.contour == view.contour) {
+    const Polyline& line = work.frame().contours[std::size_t(view.contour)].line;
+    // As far as the next handles.
+    const double reach = 14 / on.zoom;
+    change(work, "Move point",
+           with_contour_points(work.document(), view.frame, view.contour,
+                               dragged(line, work.gesture.points, work.gesture.point,
+                                       p.at - work.gesture.from, reach)));
+  } else if (p.pressed && work.gesture.point < 0) {
+    view.contour = contour_at(work, on, p.screen);
+    view.joint = view.contour >= 0 ? work.frame().contours[std::size_t(view.contour)].joint : -1;
+  }
+}
+
+namespace {
+
+void keep_outline(Work& work) {
+  const NewOutline fresh = *work.outline;
+  work.outline.reset();
+  const int joint = fresh.joints[std::size_t(fresh.choice)];
+  work.commit("Draw " + part_words(work, joint),
+              with_contour(work.document(), fresh.frame, {joint, fresh.line, ""}));
+  work.view.joint = joint;
+  work.view.contour = int(work.frame().contours.size()) - 1;
+}
+
+void propose(Work& work, Polyline line) {
+  if (work.outline) keep_outline(work);
+  NewOutline fresh;
+  fresh.frame = work.view.frame;
+  for (Candidate& candidate : joint_candidates(work.document(), fresh.frame, line)) {
+    fresh.joints.push_back(candidate.joint);
+    fresh.reasons.push_back(std::move(candidate.reason));
+  }
+  if (fresh.joints.empty()) fresh.joints = {0}, fresh.reasons = {"the only joint"};
+  fresh.line = std::move(line);
+  work.outline = std::move(fresh);
+}
+
+}  // namespace
+
+void draw_tool(Work& work, const Pointer& p, const OnScreen& on) {
+  if (p.pressed) work.stroke = {p.at};
+  if (p.held && !work.stroke.empty() && apart(on.of(work.stroke.back()), p.screen) > 1.5f)
+    work.stroke.push_back(p.at);
+  if (p.held && work.stroke.size() > 1) {
+    OutlineLook look;
+    paint_outline(draw(), {work.stroke, false}, on, theme().accent, look);
+    if (apart(on.of(work.stroke.front()), p.screen) < kCloseReach && work.stroke.size() > 8)
+      draw().AddCircle(on.of(work.stroke.front()), kCloseReach, theme().accent, 0, 1.5f);
+  }
+  if (!p.released || work.stroke.empty()) return;
+  const std::vector<Vec2> stroke = std::move(work.stroke);
+  work.stroke.clear();
+  StrokeOptions options;
+  options.smooth = 2 / on.zoom;
+  options.error = 0.4 / on.zoom;
+  options.reach = kCloseReach / on.zoom;
+  options.open = p.alt;
+  const View& view = work.view;
+  if (view.contour >= 0 && stroke.size() > 2) {
+    const Contour& chosen = work.frame().contours[std::size_t(view.contour)];
+    const bool from = nearest_on(chosen.line, on, on.of(stroke.front())).distance < kCloseReach,
+               to = nearest_on(chosen.line, on, on.of(stroke.back())).distance < kCloseReach;
+    if (from && to) {
+      options.open = true;
+      const std::optional<Polyline> smooth = outline_of_stroke(stroke, options);
+      if (!smooth) return;
+      work.commit("Redraw " + part_words(work, chosen.joint),
+                  with_contour_points(work.document(), view.frame, view.contour,
+                                      with_stretch_redrawn(chosen.line, smooth->points).points));
+      return;
+    }
+  }
+  if (std::optional<Polyline> line = outline_of_stroke(stroke, options))
+    propose(work, std::move(*line));
+}
+
+void points_tool(Work& work, const Pointer& p, const OnScreen& on) {
+  std::vector<Vec2>& points = work.stroke;
+  const bool closes = points.size() > 2 && apart(on.of(points.front()), p.screen) < kCloseReach;
+  if (p.pressed && !closes) points.push_back(p.at);
+  std::vector<Vec2> shown = points;
+  if (p.hovered && !points.empty()) shown.push_back(closes ? points.front() : p.at);
+  if (shown.size() > 1) paint_outline(draw(), {shown, false}, on, theme().accent, {});
+  paint_points({points, false}, on, theme().accent, p.screen);
+  if (closes) draw().AddCircle(on.of(points.front()), kCloseReach, theme().accent, 0, 1.5f);
+  const bool enter = ImGui::IsKeyPressed(ImGuiKey_Enter, false) && points.size() > 2;
+  if ((p.pressed && closes) || enter) {
+    propose(work, {points, true});
+    points.clear();
+  }
+}
+
+void cut_tool(Work& work, const Pointer& p, const OnScreen& on) {
+  if (p.pressed) work.stroke = {p.at, p.at};
+  if (work.stroke.size() < 2) return;
+  if (p.held) work.stroke[1] = p.at;
+  const Vec2 a = work.stroke[0], b = work.stroke[1];
+  draw().AddLine(on.of(a), on.of(b), rgb(0xFFFFFF, 0.7f), 4.5f);
+  draw().AddLine(on.of(a), on.of(b), theme().error, 2);
+  if (!p.released) return;
+  work.stroke.clear();
+  const std::vector<Contour>& contours = work.frame().contours;
+  // The chosen outline, else the first that the line cuts right across.
+  for (int pass = 0; pass < 2; ++pass)
+    for (int i = 0; i < int(contours.size()); ++i) {
+      if (pass == 0 && i != work.view.contour) continue;
+      const Contour whole = contours[std::size_t(i)];
+      const auto halves = cut_outline(whole.line, a, b, 0.12 * (b - a).norm());
+      if (!halves) continue;
+      Document next =
+          with_contour_points(work.document(), work.view.frame, i, halves->first.points);
+      const std::vector<Candidate> likely = joint_candidates(next, work.view.frame, halves->second);
+      const int other = likely.empty() ? whole.joint : likely[0].joint;
+      next = with_contour(std::move(next), work.view.frame, {other, halves->second, whole.unknown});
+      work.commit("Cut " + part_words(work, whole.joint), std::move(next));
+      work.view.contour = int(work.frame().contours.size()) - 1;
+      work.view.joint = other;
+      return;
+    }
+  Toast toast;
+  toast.words = "Draw the line right across one outline.";
+  work.say(std::move(toast));
+}
+
+// The new outline, dashed, with a chip that says whose it will be.
+void pending_outline(Work& work, const Rect& place, const OnScreen& on) {
+  const Theme& t = theme();
+  NewOutline& fresh = *work.outline;
+  if (fresh.frame != work.view.frame) return;
+  const int joint = fresh.joints[std::size_t(fresh.choice)];
+  OutlineLook look;
+  look.dashed = true;
+  look.width = 2.5f;
+  look.fill = 0.12f;
+  paint_outline(draw(), fresh.line, on, joint_tint(joint), look);
+  const Box2 box = bounds(std::span(&fresh.line, 1));
+  const JointWords words = joint_words(work.document().skeleton.joints[std::size_t(joint)].name);
+  const float width = std::max(164.0f, text_width(Font::title, words.whole()) + 60);
+  const ImVec2 side = on.of({box.min().x(), box.center().y()});
+  Rect chip{side.x - width - 14, side.y - 31, width, 62};
+  if (chip.x < place.x + 4) chip.x = on.of({box.max().x(), 0}).x + 14;
+  chip.x = std::clamp(chip.x, place.x + 4, std::max(place.x + 4, place.right() - width - 4));
+  chip.y = std::clamp(chip.y, place.y + 4, place.bottom() - 66);
+  shadow(chip, kRadiusCard);
+  draw().AddRectFilled(chip.min(), chip.max(), t.raised, kRadiusCard);
+  draw().AddCircleFilled({chip.x + 20, chip.y + 19}, 7, joint_tint(joint));
+  write({chip.x + 36, chip.y + 8, chip.w - 40, 22}, Font::title, t.text, words.name);
+  write({chip.x + 42 + text_width(Font::title, words.name), chip.y + 9, 20, 22}, Font::small,
+        t.muted, words.side);
+  key_cap({chip.x + 12, chip.y + 36, 40, 18}, "Enter");
+  write({chip.x + 57, chip.y + 36, 40, 18}, Font::caption, t.muted, "keep");
+  key_cap({chip.x + 94, chip.y + 36, 32, 18}, "Tab");
+  write({chip.x + 131, chip.y + 36, 40, 18}, Font::caption, t.muted, "next");
+  if (ImGui::GetIO().WantTextInput) return;
+  if (ImGui::IsKeyPressed(ImGuiKey_Tab))
+    fresh.choice = (fresh.choice + 1) % int(fresh.joints.size());
+  if (ImGui::IsKeyPressed(ImGuiKey_Enter, false)) keep_outline(work);
+}
+
+}  // namespace artisketch

@@ -1,0 +1,76 @@
+#include "editor/pointer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "document/edit.h"
+
+namespace artisketch {
+
+Pointer pointer_on(const Rect& place, const OnScreen& on) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Press press = press_area("Sketch", place);
+  Pointer p;
+  p.screen = io.MousePos;
+  p.at = on.back(io.MousePos);
+  p.hovered = press.hovered;
+  p.held = press.held;
+  p.pressed = ImGui::IsItemActivated();
+  p.released = ImGui::IsItemDeactivated();
+  p.dragging = p.held && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+  p.double_clicked = press.double_clicked;
+  p.alt = io.KeyAlt;
+  return p;
+}
+
+float apart(ImVec2 a, ImVec2 b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+std::string part_words(const Work& work, int joint) {
+  return joint_words(work.document().skeleton.joints[std::size_t(joint)].name).whole();
+}
+
+OnLine nearest_on(const Polyline& line, const OnScreen& on, ImVec2 p) {
+  OnLine best;
+  for (std::size_t s = 0; s < line.segments(); ++s) {
+    const ImVec2 a = on.of(line.points[s]), b = on.of(line.end_of(s));
+    const float dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+    const float t =
+        square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0f, 1.0f) : 0;
+    const float distance = apart(p, {a.x + t * dx, a.y + t * dy});
+    if (distance < best.distance) best = {distance, s};
+  }
+  return best;
+}
+
+void change(Work& work, const std::string& name, Document next) {
+  if (work.gesture.moved) {
+    work.history.amend(std::move(next));
+    work.changed_at = ImGui::GetTime();
+    work.settle();
+  } else {
+    work.commit(name, std::move(next));
+  }
+  work.gesture.moved = true;
+}
+
+int joint_at(const std::vector<Transform>& posed, const FrameCamera& camera, const OnScreen& on,
+             ImVec2 p) {
+  int best = -1;
+  float nearest = 14;
+  for (int j = 0; j < int(posed.size()); ++j) {
+    const float distance = apart(on.of(camera.project(posed[std::size_t(j)].translation())), p);
+    if (distance < nearest) nearest = distance, best = j;
+  }
+  return best;
+}
+
+void take_joint(Work& work, const Pointer& p, const std::vector<Transform>& posed,
+                const FrameCamera& camera, const OnScreen& on) {
+  if (!p.pressed) return;
+  work.gesture = {};
+  work.view.joint = work.gesture.joint = joint_at(posed, camera, on, p.screen);
+}
+
+}  // namespace artisketch

@@ -1,0 +1,45 @@
+// The pointer over the canvas, what it is near to, and gestures as steps of undo.
+#pragma once
+
+#include <string>
+
+#include "editor/panels.h"
+
+namespace artisketch {
+
+inline constexpr float kReach = 9, kCloseReach = 12;  // points
+
+struct Pointer {
+  ImVec2 screen;
+  Vec2 at;  // the sketch's pixels
+  bool hovered = false, pressed = false, held = false, released = false, dragging = false;
+  bool double_clicked = false, alt = false;
+};
+
+Pointer pointer_on(const Rect& place, const OnScreen& on);
+
+float apart(ImVec2 a, ImVec2 b);
+
+// The nearest place on a line, in points on screen.
+struct OnLine {
+  float distance = 1e9f;
+  std::size_t segment = 0;
+};
+OnLine nearest_on(const Polyline& line, const OnScreen& on, ImVec2 p);
+
+// The joint in reach of a place on screen; −1: none.
+int joint_at(const std::vector<Transform>& posed, const FrameCamera& camera, const OnScreen& on,
+             ImVec2 p);
+
+// A press takes the joint under it, or none.
+void take_joint(Work& work, const Pointer& p, const std::vector<Transform>& posed,
+                const FrameCamera& camera, const OnScreen& on);
+
+// What people call a joint's part.
+std::string part_words(const Work& work, int joint);
+
+// The document as a gesture has it by now: its first change is a step of undo, which the others
+// amend.
+void change(Work& work, const std::string& name, Document next);
+
+}  // namespace artisketch

@@ -1,0 +1,26 @@
+// What each tool does on the canvas with the pointer: a thin layer over document/edit.
+#pragma once
+
+#include "editor/pointer.h"
+
+namespace artisketch {
+
+// ---------------------------------------------------------------- outline
+
+void edit_tool(Work& work, const Pointer& p, const OnScreen& on);
+void draw_tool(Work& work, const Pointer& p, const OnScreen& on);
+void points_tool(Work& work, const Pointer& p, const OnScreen& on);
+void cut_tool(Work& work, const Pointer& p, const OnScreen& on);
+// The new outline, dashed, with a chip that says whose it will be.
+void pending_outline(Work& work, const Rect& place, const OnScreen& on);
+
+// ---------------------------------------------------------------- skeleton
+
+void skeleton_tool(Work& work, const Pointer& p, const OnScreen& on);
+
+// ---------------------------------------------------------------- pose
+
+void pose_tool(Work& work, const Pointer& p, const OnScreen& on);
+void twist_tool(Work& work, const Pointer& p, const OnScreen& on);
+
+}  // namespace artisketch
