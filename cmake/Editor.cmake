@@ -85,6 +85,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   # 5  editor: ImGui and GL only here
   src/editor/theme.cpp
   src/editor/fonts.cpp
+  src/editor/touch.cpp
   src/editor/window.cpp
   src/editor/ui.cpp
   src/editor/commands.cpp

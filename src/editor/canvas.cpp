@@ -25,8 +25,14 @@ void fit(View& view, const Frame& frame, const Rect& place) {
 }
 
 // Wheel zooms at the pointer; the middle button, or two fingers, pan.
-void navigate(View& view, const Rect& place) {
+void navigate(View& view, const Fingers& fingers, const Rect& place) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (fingers.count > 1 && place.holds(fingers.at)) {
+    view.origin.x += fingers.moved.x;
+    view.origin.y += fingers.moved.y;
+    zoom_about(view, fingers.at, fingers.spread);
+    return;
+  }
   if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) ||
       !place.holds(io.MousePos))
     return;
@@ -213,7 +219,7 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio) {
     return;
   }
   if (work.view.fit) fit(work.view, work.frame(), place);
-  navigate(work.view, place);
+  navigate(work.view, work.fingers, place);
   draw().PushClipRect(place.min(), place.max(), true);
   paint_sketch(work, place, pixel_ratio);
   use_tool(work, place, {work.view.origin, work.view.zoom});

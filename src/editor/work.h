@@ -17,6 +17,7 @@
 #include "editor/eye.h"
 #include "editor/model_picture.h"
 #include "editor/platform.h"
+#include "editor/touch.h"
 
 namespace artisketch {
 
@@ -159,6 +160,7 @@ struct Work {
   std::optional<Proposal> proposal;
   std::optional<NewOutline> outline;
   Gesture gesture;
+  Fingers fingers;
   std::vector<Vec2> stroke;  // under the pointer, in the sketch's pixels
   JobRequest::Kind running = JobRequest::Kind::reconstruct;
   long running_revision = -1;
