@@ -221,6 +221,17 @@ TraceImage trace_image(const Pixels& pixels) {
   return image;
 }
 
+Box2 figure_box(const TraceImage& image) {
+  Box2 box;
+  for (int i = 0; i < int(image.paper.size()); ++i) {
+    if (image.paper[i]) continue;
+    const Vec2 corner(i % image.width, i / image.width);
+    box.extend(Vec2(image.pixels * corner));
+    box.extend(Vec2(image.pixels * (corner + Vec2(1, 1))));
+  }
+  return box;
+}
+
 bool is_paper(const TraceImage& image, const Vec2& at) {
   const Vec2 size = image.pixels * Vec2(image.width, image.height);
   return image.tones.empty() || at.minCoeff() < 0 || at.x() >= size.x() || at.y() >= size.y() ||

@@ -31,6 +31,9 @@ struct TraceImage {
 };
 TraceImage trace_image(const Pixels& pixels);
 
+// Where the figure stands: all that isn't paper, in the drawing's pixels. Empty where all is.
+Box2 figure_box(const TraceImage& image);
+
 // How unlike the clicked place each pixel is: the least tolerance at which it belongs to the
 // region. Paper is never reached, unless it was clicked.
 struct Spread {

@@ -147,6 +147,9 @@ TEST(Trace, LeavesPaperAlone) {
   EXPECT_TRUE(is_paper(image, {-5, 5}));
   EXPECT_FALSE(is_paper(image, {80, 160}));
   EXPECT_FALSE(traced(image, spread_from(image, {5, 5}), 1));
+  const Box2 figure = figure_box(image);
+  EXPECT_LT((figure.min() - Vec2(38, 18)).norm(), 1.5);
+  EXPECT_LT((figure.max() - Vec2(122, 227)).norm(), 1.5);
 }
 
 TEST(Trace, TakesASinglePixelAndAWholeImage) {
