@@ -1,4 +1,4 @@
-# Every dependency of the program in one place; all but meshoptimizer are headers alone. Each is
+# Every dependency of the program in one place; all but meshoptimizer and zlib are headers alone. Each is
 # looked for where systems' packages put it; to use another copy, set the cache path
 # ARTISKETCH_NAME_DIR to the folder that holds its headers.
 #
@@ -54,18 +54,26 @@ if(EMSCRIPTEN)
   target_compile_definitions(artisketch::eigen INTERFACE EIGEN_ARCH_DEFAULT_NUMBER_OF_REGISTERS=16)
   target_include_directories(artisketch::eigen SYSTEM INTERFACE "${PROJECT_SOURCE_DIR}/cmake/sse")
 
-  # Compiled along: the system's library is for the system. Debian has it as the source package
-  # `meshoptimizer`.
-  set(ARTISKETCH_MESHOPTIMIZER_SOURCE "" CACHE PATH "Folder of meshoptimizer's sources")
-  file(GLOB sources "${ARTISKETCH_MESHOPTIMIZER_SOURCE}/src/*.cpp")
-  if(NOT sources)
-    message(FATAL_ERROR "Set ARTISKETCH_MESHOPTIMIZER_SOURCE to the folder of meshoptimizer's sources "
-                        "(apt-get source meshoptimizer)")
-  endif()
-  add_library(meshoptimizer_web STATIC ${sources})
-  target_include_directories(meshoptimizer_web SYSTEM INTERFACE "${ARTISKETCH_MESHOPTIMIZER_SOURCE}/src")
-  add_library(artisketch::meshoptimizer ALIAS meshoptimizer_web)
+  # Compiled along: the system's libraries are for the system. `sources` are a library's, within its
+  # folder, which holds what Debian's source package of its name does.
+  function(artisketch_compiled_dependency name include)
+    string(TOUPPER "ARTISKETCH_${name}_SOURCE" folder)
+    set(${folder} "" CACHE PATH "Folder of ${name}'s sources")
+    if(NOT EXISTS "${${folder}}/${include}")
+      message(FATAL_ERROR "Set ${folder} to the folder of ${name}'s sources (apt-get source ${name})")
+    endif()
+    list(TRANSFORM ARGN PREPEND "${${folder}}/")
+    file(GLOB sources ${ARGN})
+    add_library(${name}_web STATIC ${sources})
+    target_include_directories(${name}_web SYSTEM PUBLIC "${${folder}}/${include}")
+    add_library(artisketch::${name} ALIAS ${name}_web)
+  endfunction()
+  artisketch_compiled_dependency(meshoptimizer src src/*.cpp)
+  # What compressing takes; stb reads.
+  artisketch_compiled_dependency(zlib . adler32.c compress.c crc32.c deflate.c trees.c zutil.c)
 else()
   find_package(meshoptimizer REQUIRED)  # meshoptimizer_DIR
   add_library(artisketch::meshoptimizer ALIAS meshoptimizer::meshoptimizer)
+  find_package(ZLIB REQUIRED)
+  add_library(artisketch::zlib ALIAS ZLIB::ZLIB)
 endif()

@@ -94,6 +94,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/sketch_paint.cpp
   src/editor/work.cpp
   src/editor/files.cpp
+  src/editor/exports.cpp
   src/editor/perform.cpp
   src/editor/layout.cpp
   src/editor/top_bar.cpp

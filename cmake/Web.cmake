@@ -30,7 +30,8 @@ target_link_libraries(editor PRIVATE artisketch_editor artisketch::json)
 target_link_options(editor PRIVATE -Os -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2)
 artisketch_web_module(core createCore worker web/worker_main.cpp)
 
-# The examples as the page shows them at once: drawings inside, the model made. The first greets.
+# The examples as the page shows them: drawings inside, the model made, and its picture. The first
+# greets.
 find_program(ARTISKETCH_NODE NAMES node nodejs NO_CMAKE_FIND_ROOT_PATH DOC "Runs what builds the page")
 set(examples hero fox robot heart circles)
 set(made "")
@@ -41,14 +42,16 @@ foreach(name IN LISTS examples)
   file(GLOB drawings CONFIGURE_DEPENDS "${folder}/*.png")
   # The core just built makes the models: those that the worker would make, in fewer triangles, since
   # they are a good part of what the page loads.
-  add_custom_command(OUTPUT "${packed}.artisketch" "${packed}.glb" VERBATIM
+  add_custom_command(OUTPUT "${packed}.artisketch" "${packed}.glb" "${packed}.png" VERBATIM
     COMMAND "${ARTISKETCH_NODE}" "${PROJECT_SOURCE_DIR}/web/pack.mjs" "${folder}/${name}.artisketch"
             "${packed}.artisketch"
     COMMAND "${ARTISKETCH_NODE}" --no-experimental-fetch $<TARGET_FILE:artisketch> reconstruct
-            "${folder}/${name}.artisketch" -o "${packed}.glb" --grid 64 --triangles 8000 --quiet
+            "${folder}/${name}.artisketch" -o "${packed}.glb" --grid 64 --triangles 6000 --quiet
+    COMMAND "${ARTISKETCH_NODE}" --no-experimental-fetch $<TARGET_FILE:artisketch> render "${packed}.glb"
+            -o "${packed}.png" --clear --frame 1 --yaw 25 --pitch 8 --size 120x144
     DEPENDS artisketch web/pack.mjs "${folder}/${name}.artisketch" ${drawings}
     COMMENT "Making the example ${name}")
-  list(APPEND made "${packed}.artisketch" "${packed}.glb")
+  list(APPEND made "${packed}.artisketch" "${packed}.glb" "${packed}.png")
 endforeach()
 
 file(GLOB page CONFIGURE_DEPENDS web/*.js web/*.html web/*.css web/*.mjs)

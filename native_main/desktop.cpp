@@ -1,10 +1,14 @@
 #include "desktop.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
+#include <tuple>
 
 #include <SDL.h>
 #include <stdio.h>
+#include <unistd.h>
 
 #include "files/bytes.h"
 #include "files/document_file.h"
@@ -61,6 +65,7 @@ Result<std::vector<NamedBytes>> read_all(const std::vector<std::string>& paths) 
 }
 
 constexpr int kRecents = 12;
+constexpr const char* kAutosave = "autosave";  // the editor's key for it
 
 }  // namespace
 
@@ -179,7 +184,7 @@ void Desktop::open_recent(const std::string& place, Opened then) {
 }
 
 void Desktop::store(const std::string& key, std::string bytes) {
-  const fs::path path = kept_ / key;
+  const fs::path path = kept_at(key);
   std::error_code ignored;
   if (bytes.empty()) {
     fs::remove(path, ignored);
@@ -190,20 +195,48 @@ void Desktop::store(const std::string& key, std::string bytes) {
 }
 
 void Desktop::load(const std::string& key, std::function<void(std::string)> then) {
-  const Result<std::string> bytes = read_file((kept_ / key).string());
+  if (key == kAutosave) inherit();
+  const Result<std::string> bytes = read_file(kept_at(key).string());
   then(bytes ? *bytes : std::string());
 }
 
-std::vector<std::string> Desktop::examples() {
-  std::vector<std::string> names;
+// Each window keeps its work under its process's number.
+fs::path Desktop::kept_at(const std::string& key) const {
+  return kept_ / (key == kAutosave ? key + "-" + std::to_string(getpid()) : key);
+}
+
+// The newest work that a window left behind becomes this one's.
+void Desktop::inherit() {
+  fs::path newest;
+  fs::file_time_type latest{};
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(examples_, ignored))
-    names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  // The hero greets.
-  std::stable_partition(names.begin(), names.end(),
-                        [](const auto& name) { return name == "hero"; });
-  return names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(kept_, ignored)) {
+    const std::string name = entry.path().filename().string(),
+                      prefix = std::string(kAutosave) + "-";
+    if (!name.starts_with(prefix)) continue;
+    const int process = std::atoi(name.c_str() + prefix.size());
+    if (process <= 0 || kill(process, 0) == 0 || errno == EPERM) continue;  // it lives
+    const fs::file_time_type time = fs::last_write_time(entry.path(), ignored);
+    if (newest.empty() || time > latest) newest = entry.path(), latest = time;
+  }
+  if (!newest.empty()) fs::rename(newest, kept_at(kAutosave), ignored);
+}
+
+std::vector<ExampleCard> Desktop::examples() {
+  std::vector<ExampleCard> cards;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(examples_, ignored)) {
+    const std::string name = entry.path().filename().string();
+    const Result<Document> document =
+        read_document((entry.path() / (name + ".artisketch")).string());
+    if (document) cards.push_back({name, int(document->frames.size())});
+  }
+  // The hero greets; then those with the most drawings.
+  std::sort(cards.begin(), cards.end(), [](const ExampleCard& a, const ExampleCard& b) {
+    return std::tuple(a.name != "hero", -a.drawings, a.name) <
+           std::tuple(b.name != "hero", -b.drawings, b.name);
+  });
+  return cards;
 }
 
 void Desktop::load_example(const std::string& name, std::function<void(Result<Example>)> then) {
@@ -213,6 +246,11 @@ void Desktop::load_example(const std::string& name, std::function<void(Result<Ex
   const Result<std::string> glb = read_file((examples_ / name / (name + ".glb")).string());
   if (!glb) return then(glb.error());
   then(Example{document->bytes, *glb});
+}
+
+void Desktop::load_example_picture(const std::string& name, std::function<void(std::string)> then) {
+  const Result<std::string> png = read_file((examples_ / name / (name + ".png")).string());
+  then(png ? *png : std::string());
 }
 
 void Desktop::set_title(const std::string& title, bool unsaved) {

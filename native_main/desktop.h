@@ -15,7 +15,7 @@ namespace artisketch {
 
 class Desktop : public Platform {
  public:
-  // examples: folder of NAME/NAME.artisketch and NAME/NAME.glb.
+  // examples: folder of NAME/NAME.artisketch, NAME/NAME.glb and NAME/NAME.png.
   explicit Desktop(std::filesystem::path examples);
   ~Desktop() override;
 
@@ -31,8 +31,10 @@ class Desktop : public Platform {
   void open_recent(const std::string& place, Opened then) override;
   void store(const std::string& key, std::string bytes) override;
   void load(const std::string& key, std::function<void(std::string)> then) override;
-  std::vector<std::string> examples() override;
+  std::vector<ExampleCard> examples() override;
   void load_example(const std::string& name, std::function<void(Result<Example>)> then) override;
+  void load_example_picture(const std::string& name,
+                            std::function<void(std::string)> then) override;
   void set_title(const std::string& title, bool unsaved) override;
   bool prefers_dark() override { return true; }
   int default_grid() override { return 100; }
@@ -43,6 +45,8 @@ class Desktop : public Platform {
   // Runs a dialog's command; the lines that it prints come to `then` through deliver().
   void ask(std::string command, std::function<void(std::vector<std::string>)> then);
   void remember(const std::string& place);
+  std::filesystem::path kept_at(const std::string& key) const;
+  void inherit();
 
   std::filesystem::path examples_, kept_;
   SDL_Window* window_ = nullptr;

@@ -1,7 +1,8 @@
 // Puts the page together from what was compiled, twice: OUT/site/, static files for any web host, and
 // OUT/artisketch.html, all of it in one file that works from disk.
 //   node assemble.mjs OUT EXAMPLE…
-// OUT holds editor.js, editor.wasm, core.js, core.wasm, and examples/NAME.artisketch and NAME.glb.
+// OUT holds editor.js, editor.wasm, core.js, core.wasm, and examples/NAME.artisketch, .glb and .png. The
+// first example comes with its model; the others are made where they are opened.
 import { createHash } from 'node:crypto';
 import { mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -21,7 +22,7 @@ const files = new Map([
   ['worker.js', Buffer.concat([built('core.js'), Buffer.from(source('worker.js'))])],
 ]);
 for (const name of examples) {
-  for (const kind of ['artisketch', 'glb']) {
+  for (const kind of name === examples[0] ? ['artisketch', 'glb', 'png'] : ['artisketch', 'png']) {
     files.set(`examples/${name}.${kind}`, built(`examples/${name}.${kind}`));
   }
 }
@@ -34,6 +35,10 @@ function policy(sources) {
     'default-src': "'none'", 'base-uri': "'none'", 'form-action': "'none'", 'img-src': 'data:', ...sources,
   }).map(([what, from]) => `${what} ${from}`).join('; ');
 }
+
+// As the page's meta element has it: [[name, drawings]…].
+const cards = JSON.stringify(examples.map((name) =>
+  [name, JSON.parse(built(`examples/${name}.artisketch`)).frames.length])).replaceAll('"', '&quot;');
 
 function page(parts) {
   return source('shell.html').replace(/@([A-Z]+)@/g, (_, name) => parts[name]);
@@ -51,7 +56,7 @@ writeFileSync(join(site, 'index.html'), page({
     'script-src': "'self' 'wasm-unsafe-eval'", 'style-src': "'self'", 'connect-src': "'self'",
     'worker-src': "'self'",
   }),
-  EXAMPLES: examples.join(' '),
+  EXAMPLES: cards,
   STYLE: '<link rel="stylesheet" href="page.css">\n' +
     '<link rel="preload" href="editor.wasm" as="fetch" crossorigin>',
   FILES: '',
@@ -70,7 +75,7 @@ writeFileSync(single, page({
     'script-src': `${scripts.map(([, text]) => hash(text)).join(' ')} 'wasm-unsafe-eval'`,
     'style-src': hash(style), 'worker-src': 'blob:',
   }),
-  EXAMPLES: examples.join(' '),
+  EXAMPLES: cards,
   STYLE: `<style>${style}</style>`,
   FILES: [...files].map(([name, bytes]) =>
     `<script type="text/plain" id="file:${name}">${gzipSync(bytes, {level: 9}).toString('base64')}</script>`)

@@ -23,6 +23,9 @@ EM_JS(void, host_load, (int question, const char* key), {
 EM_JS(void, host_load_example, (int question, const char* name), {
   Module.host.loadExample(question, UTF8ToString(name));
 });
+EM_JS(void, host_load_example_picture, (int question, const char* name), {
+  Module.host.loadExamplePicture(question, UTF8ToString(name));
+});
 EM_JS(void, host_title, (const char* title, bool unsaved), {
   Module.host.title(UTF8ToString(title), unsaved);
 });
@@ -75,6 +78,11 @@ void Browser::load(const std::string& key, std::function<void(std::string)> then
 void Browser::load_example(const std::string& name, std::function<void(Result<Example>)> then) {
   fetching_[++questions_] = std::move(then);
   host_load_example(questions_, name.c_str());
+}
+
+void Browser::load_example_picture(const std::string& name, std::function<void(std::string)> then) {
+  loading_[++questions_] = std::move(then);
+  host_load_example_picture(questions_, name.c_str());
 }
 
 void Browser::set_title(const std::string& title, bool unsaved) {

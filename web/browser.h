@@ -11,7 +11,7 @@ namespace artisketch {
 
 class Browser : public Platform {
  public:
-  Browser(std::vector<std::string> examples, std::vector<Recent> recents)
+  Browser(std::vector<ExampleCard> examples, std::vector<Recent> recents)
       : examples_(std::move(examples)), recents_(std::move(recents)) {}
 
   bool has_dialogs() override { return true; }
@@ -22,8 +22,10 @@ class Browser : public Platform {
   void open_recent(const std::string& place, Opened then) override;
   void store(const std::string& key, std::string bytes) override;
   void load(const std::string& key, std::function<void(std::string)> then) override;
-  std::vector<std::string> examples() override { return examples_; }
+  std::vector<ExampleCard> examples() override { return examples_; }
   void load_example(const std::string& name, std::function<void(Result<Example>)> then) override;
+  void load_example_picture(const std::string& name,
+                            std::function<void(std::string)> then) override;
   void set_title(const std::string& title, bool unsaved) override;
   bool prefers_dark() override;
   int default_grid() override { return 64; }
@@ -42,7 +44,7 @@ class Browser : public Platform {
   std::map<int, std::function<void(Result<Saved>)>> saving_;
   std::map<int, std::function<void(std::string)>> loading_;
   std::map<int, std::function<void(Result<Example>)>> fetching_;
-  std::vector<std::string> examples_;
+  std::vector<ExampleCard> examples_;
   std::vector<Recent> recents_;
   int questions_ = 0;
   std::string title_;

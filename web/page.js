@@ -166,6 +166,10 @@ const artisketch = (() => {
         if (!await database) return [...memory[store].values()];
         return run(store, 'readonly', (s) => s.getAll());
       },
+      async keys(store) {
+        if (!await database) return [...memory[store].keys()];
+        return run(store, 'readonly', (s) => s.getAllKeys());
+      },
       async put(store, key, value) {
         if (!await database) return void memory[store].set(key, value);
         return run(store, 'readwrite', (s) => s.put(value, key));
@@ -173,6 +177,34 @@ const artisketch = (() => {
       async drop(store, key) {
         if (!await database) return void memory[store].delete(key);
         return run(store, 'readwrite', (s) => s.delete(key));
+      },
+    };
+  })();
+
+  // Each tab keeps its work under a name of its own, and holds a lock of that name for as long as it
+  // lives: what a tab finds without its lock was left behind.
+  const own = (() => {
+    let name = 'autosave';
+    if (navigator.locks && crypto.randomUUID) {
+      name = `autosave-${crypto.randomUUID()}`;
+      navigator.locks.request(name, () => new Promise(() => {})).catch(() => {});
+    }
+    return {
+      name,
+      // The newest that was left behind, now this tab's.
+      async inherit() {
+        const held = new Set();
+        if (navigator.locks) (await navigator.locks.query()).held.forEach((lock) => held.add(lock.name));
+        const left = [];
+        for (const key of await kept.keys('kept')) {
+          if (!/^autosave/.test(key) || key === name || held.has(key)) continue;
+          left.push({key, ...await kept.get('kept', key)});
+        }
+        left.sort((a, b) => b.time - a.time);
+        if (!left.length) return undefined;
+        await kept.put('kept', name, {time: left[0].time, bytes: left[0].bytes});
+        await kept.drop('kept', left[0].key);
+        return left[0].bytes;
       },
     };
   })();
@@ -429,13 +461,15 @@ const artisketch = (() => {
   // ------------------------------------------------------------ what browser.cpp asks for
 
   let unsaved = false;
-  const examples = document.querySelector('meta[name=examples]').content.split(' '); // the first greets
+  // [[name, drawings]…]; the first greets, and comes with its model.
+  const examples = JSON.parse(document.querySelector('meta[name=examples]').content);
   const fetched = new Map(); // example → promise
 
   function example(name) {
     if (!fetched.has(name)) {
-      fetched.set(name, Promise.all(
-        ['artisketch', 'glb'].map((kind) => bytesOf(`examples/${name}.${kind}`))));
+      fetched.set(name, Promise.all([
+        bytesOf(`examples/${name}.artisketch`),
+        name === examples[0][0] ? bytesOf(`examples/${name}.glb`) : new Uint8Array()]));
     }
     return fetched.get(name);
   }
@@ -471,11 +505,13 @@ const artisketch = (() => {
       }
     },
     store(key, bytes) {
-      (bytes.length ? kept.put('kept', key, bytes) : kept.drop('kept', key)).catch(() => {});
+      const name = key === 'autosave' ? own.name : key;
+      (bytes.length ? kept.put('kept', name, {time: Date.now(), bytes}) : kept.drop('kept', name))
+        .catch(() => {});
     },
     async load(question, key) {
-      const bytes = await kept.get('kept', key).catch(() => undefined);
-      tell('page_loaded', question, bytes ?? new Uint8Array());
+      const found = key === 'autosave' ? own.inherit() : kept.get('kept', key).then((it) => it?.bytes);
+      tell('page_loaded', question, await found.catch(() => undefined) ?? new Uint8Array());
     },
     async loadExample(question, name) {
       try {
@@ -484,6 +520,9 @@ const artisketch = (() => {
         fetched.delete(name);
         tell('page_example', question, new Uint8Array(), new Uint8Array(), words(error));
       }
+    },
+    async loadExamplePicture(question, name) {
+      tell('page_loaded', question, await bytesOf(`examples/${name}.png`).catch(() => new Uint8Array()));
     },
     title(title, unsavedWork) {
       document.title = unsavedWork ? `• ${title}` : title;
@@ -507,7 +546,7 @@ const artisketch = (() => {
   async function start() {
     const program = compiled('editor.wasm');
     const listed = recents().catch(() => []);
-    example(examples[0]).catch(() => {}); // is needed soon
+    example(examples[0][0]).catch(() => {}); // is needed soon
     const begun = await createEditor({
       canvas,
       host,

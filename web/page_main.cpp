@@ -36,7 +36,7 @@ struct Page {
   int due = 3;  // frames: widgets settle and hover fades in the frames after something came in
   std::string answer;  // text that page.js reads before it calls again
 
-  Page(Window opened, std::vector<std::string> examples, std::vector<Platform::Recent> recents)
+  Page(Window opened, std::vector<ExampleCard> examples, std::vector<Platform::Recent> recents)
       : browser(std::move(examples), std::move(recents)), window(std::move(opened)) {}
 };
 
@@ -59,7 +59,7 @@ using namespace artisketch;
 extern "C" {
 
 // Opens the editor in the canvas, its size in CSS pixels; what is wrong in words, or null.
-// known: JSON {examples: [name…], recents: [[name, place]…]}.
+// known: JSON {examples: [[name, drawings]…], recents: [[name, place]…]}.
 EMSCRIPTEN_KEEPALIVE const char* page_start(int width, int height, const char* known) {
   SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#canvas");
   static std::string fault;
@@ -71,7 +71,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(int width, int height, const char* k
   const Json listed = Json::parse(known);
   std::vector<Platform::Recent> recents;
   for (const Json& recent : listed["recents"]) recents.push_back({recent[0], recent[1]});
-  page = new Page(std::move(*window), listed["examples"], std::move(recents));
+  std::vector<ExampleCard> examples;
+  for (const Json& example : listed["examples"]) examples.push_back({example[0], example[1]});
+  page = new Page(std::move(*window), std::move(examples), std::move(recents));
   ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) {
     SDL_SetClipboardText(text);
     host_copy(text);

@@ -41,6 +41,7 @@ struct Arguments {
   bool no_calibrate = false, no_texture = false, visual_hull = false, quiet = false,
        progress = false;
   int frame = 0, turntable = 0;
+  bool clear = false;
   double yaw = 0, pitch = 0;
 };
 
@@ -282,6 +283,7 @@ int render_verb(const Arguments& a) {
     }
     options.frame = a.frame - 1;
   }
+  options.clear = a.clear;
   options.yaw = radians(a.yaw);
   options.pitch = radians(a.pitch);
   const Image image =
@@ -336,6 +338,7 @@ int run_cli(const std::vector<std::string>& arguments) {
   draw.add_option("--yaw", a.yaw, "degrees about the vertical");
   draw.add_option("--pitch", a.pitch, "degrees about the horizontal");
   draw.add_option("--size", a.size, "WIDTHxHEIGHT in pixels (default 800x800)");
+  draw.add_flag("--clear", a.clear, "nothing behind the model: a picture with transparency");
   draw.add_option("--turntable", a.turntable, "N pictures round the model, side by side")
       ->check(CLI::Range(1, 64));
   try {

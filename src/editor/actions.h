@@ -11,6 +11,7 @@ void perform(Work& work, Command command);
 
 // ---------------------------------------------------------------- files
 
+void complain(Work& work, const Error& error);  // in a toast
 void open_files(Work& work, Result<std::vector<NamedBytes>> files);
 void open_document(Work& work, const NamedBytes& file);
 void open_example(Work& work, const std::string& name, bool greet);

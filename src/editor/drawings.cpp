@@ -65,8 +65,8 @@ Document Drawings::whole(Document document) const {
   return document;
 }
 
-const Drawing* Drawings::of(const Frame& frame) const {
-  const auto found = kept_.find(frame.image);
+const Drawing* Drawings::at(const std::string& key) const {
+  const auto found = kept_.find(key);
   return found == kept_.end() ? nullptr : &found->second;
 }
 

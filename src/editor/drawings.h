@@ -31,7 +31,8 @@ class Drawings {
   // The document with its drawings inside, as it is written.
   Document whole(Document document) const;
 
-  const Drawing* of(const Frame& frame) const;  // null where it has none
+  const Drawing* of(const Frame& frame) const { return at(frame.image); }
+  const Drawing* at(const std::string& key) const;  // null where it has none
 
  private:
   std::map<std::string, Drawing> kept_;

@@ -51,10 +51,10 @@ bool Editor::closed() const {
 namespace {
 
 void greet(Work& work) {
-  const std::vector<std::string> examples = work.platform.examples();
   new_document(work);
   work.view.welcome = true;
-  if (!examples.empty()) open_example(work, examples.front(), true);
+  work.examples = work.platform.examples();
+  if (!work.examples.empty()) open_example(work, work.examples.front().name, true);
 }
 
 void advance(Work& work) {
@@ -123,8 +123,12 @@ double Editor::next_frame_in() const {
   constexpr double kSmooth = 1.0 / 60, kSeldom = 1.0 / 20, kNever = 1e9;
   const Work& work = parts_->work;
   double interval = kNever;
-  if (work.jobs.busy() || !work.toasts.empty() || work.history.revision() != work.autosaved)
-    interval = kSeldom;
+  if (work.jobs.busy() || work.history.revision() != work.autosaved) interval = kSeldom;
+  // A toast goes by itself; an error stays until it is answered.
+  for (const Toast& toast : work.toasts)
+    if (!toast.error)
+      interval = std::min(
+          interval, toast.since < 0 ? 0 : toast.since + kToastSeconds - ImGui::GetTime() + kSmooth);
   if (work.view.playing || work.changing_pose()) interval = kSmooth;
   const std::chrono::duration<double> since = std::chrono::steady_clock::now() - parts_->drawn_at;
   return interval - since.count();

@@ -1,10 +1,10 @@
+#include <cmath>
 #include <cstdio>
 
 #include "editor/actions.h"
 #include "editor/panels.h"
 
 namespace artisketch {
-
 std::string bytes_in_words(std::size_t bytes) {
   char words[32];
   if (bytes < 1000 * 1000)
@@ -14,8 +14,84 @@ std::string bytes_in_words(std::size_t bytes) {
   return words;
 }
 
+namespace {
+
+std::string in_thousands(int number) {
+  std::string text = std::to_string(number);
+  if (text.size() > 3) text.insert(text.size() - 3, "\u00A0");
+  return text;
+}
+
+// How many triangles the model shall have; another number makes another model.
+void triangles_row(Work& work, Rect column) {
+  constexpr int kFewest = 1000, kMost = 60000, kStep = 500, kDefault = 15000;
+  const Document& document = work.document();
+  const int now = document.settings.triangles.value_or(kDefault);
+  Rect head = column.cut_top(26);
+  write(head.cut_right(90), Font::body_bold, theme().text, in_thousands(now), Align::right);
+  write(head, Font::body, theme().text, "Triangles");
+  const double low = std::log(double(kFewest)), high = std::log(double(kMost));
+  float value = float((std::log(double(std::clamp(now, kFewest, kMost))) - low) / (high - low));
+  const bool moved = slider("Triangles", column.cut_top(24), value, 0, 1);
+  const int wanted = kStep * int(std::lround(std::exp(low + double(value) * (high - low)) / kStep));
+  if (ImGui::IsItemActivated()) work.gesture = {};
+  if (!moved || wanted == now) return;
+  Document next = document;
+  next.settings.triangles = wanted;
+  work.change("Set triangles", std::move(next));
+}
+
+void clip_rows(Work& work, Rect& column) {
+  const Theme& t = theme();
+  column.cut_top(6);
+  write(column.cut_top(26), Font::body_bold, t.text, "Animations");
+  for (const Clip& clip : work.built->model.clips) {
+    Rect row = column.cut_top(26);
+    char about[48];
+    std::snprintf(about, sizeof about, "%d keys, %.1f s", int(clip.times.size()),
+                  clip.times.empty() ? 0 : clip.times.back());
+    write(row.cut_right(110), Font::caption, t.muted, about, Align::right);
+    bool with = !work.view.wish.without.contains(clip.name);
+    if (!checkbox(clip.name, row, with)) continue;
+    if (with)
+      work.view.wish.without.erase(clip.name);
+    else
+      work.view.wish.without.insert(clip.name);
+  }
+}
+
+// What the chosen format leaves to choose.
+void choices(Work& work, Rect& column) {
+  const Theme& t = theme();
+  ExportWish& wish = work.view.wish;
+  const std::string format = export_formats()[wish.format].name;
+  if (format != "PNG") triangles_row(work, column.cut_top(56));
+  if (format == "GLB") {
+    Rect row = column.cut_top(34);
+    if (work.built->model.texture) {
+      write(row.cut_left(row.w / 2), Font::body, t.text, "Texture");
+      Look with, without;
+      with.on = wish.texture;
+      without.on = !wish.texture;
+      const int chosen =
+          segments({{"With", with}, {"Without", without}}, row.middle(row.w, 28), Font::caption);
+      if (chosen >= 0) wish.texture = chosen == 0;
+    }
+    if (!work.built->model.clips.empty()) clip_rows(work, column);
+  } else if (format == "PNG") {
+    Look one, all;
+    one.on = !wish.sides;
+    all.on = wish.sides;
+    const int chosen =
+        segments({{"From here", one}, {"From 8 sides", all}}, column.cut_top(30), Font::caption);
+    if (chosen >= 0) wish.sides = chosen == 1;
+  }
+}
+
+}  // namespace
+
 void export_sheet(Work& work, const Rect& place) {
-  std::size_t& chosen = work.view.export_format;
+  std::size_t& chosen = work.view.wish.format;
   const Theme& t = theme();
   Rect column = place;
   Rect head = column.cut_top(48).inset(16, 0);
@@ -52,19 +128,10 @@ void export_sheet(Work& work, const Rect& place) {
   Rect foot = column.cut_bottom(96).inset(12, 0);
   if (work.built) {
     const Model& model = work.built->model;
-    if (!model.clips.empty()) {
-      column.cut_top(8);
-      write(column.cut_top(26).inset(16, 0), Font::body_bold, t.text, "Animations");
-      for (const Clip& clip : model.clips) {
-        Rect row = column.cut_top(26).inset(16, 0);
-        char about[48];
-        std::snprintf(about, sizeof about, "%d keys, %.1f s", int(clip.times.size()),
-                      clip.times.empty() ? 0 : clip.times.back());
-        write(row.cut_right(110), Font::caption, t.muted, about, Align::right);
-        write(row, Font::body, t.text, clip.name);
-      }
-    }
-    column.cut_top(12);
+    column.cut_top(6);
+    Rect inner = column.inset(16, 0);
+    choices(work, inner);
+    column.cut_top(inner.y - column.y + 10);
     const Rect card = column.cut_top(116).inset(12, 0);
     draw().AddRectFilled(card.min(), card.max(), t.control, kRadiusCard);
     Rect lines = card.inset(14, 10);
@@ -82,11 +149,22 @@ void export_sheet(Work& work, const Rect& place) {
   Look primary;
   primary.primary = true;
   primary.icon = icon::kDownload;
-  primary.enabled = work.built != nullptr;
+  const bool waits = work.view.wish.waits && work.jobs.busy();
+  primary.enabled = work.built != nullptr && !waits;
   const std::string file = export_name(work, formats[chosen]);
-  if (button("Export " + file, foot.cut_top(44), primary)) export_model(work, formats[chosen]);
+  if (button("Export " + file, foot.cut_top(44), primary)) {
+    if (work.stale() && available(work, Command::reconstruct)) {
+      work.view.wish.waits = true;
+      start_job(work, JobRequest::Kind::reconstruct);
+    } else {
+      export_model(work, formats[chosen]);
+    }
+  }
   write(foot.cut_top(30), Font::small, t.muted,
-        work.built ? "Saved on this computer. Nothing is uploaded." : "Reconstruct first.",
+        !work.built    ? "Reconstruct first."
+        : waits        ? "Making it first, as you changed it."
+        : work.stale() ? "The model is made again first: you changed it."
+                       : "Saved on this computer. Nothing is uploaded.",
         Align::centre);
 }
 

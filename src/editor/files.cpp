@@ -3,11 +3,9 @@
 
 #include "document/edit.h"
 #include "editor/actions.h"
-#include "editor/icons.h"
 #include "editor/panels.h"
 #include "files/document_file.h"
 #include "files/inside_images.h"
-#include "files/preview.h"
 
 namespace artisketch {
 namespace {
@@ -20,14 +18,6 @@ bool ends_with(const std::string& text, const char* ending) {
 
 std::string without_ending(const std::string& name) {
   return name.substr(0, name.rfind('.'));
-}
-
-void complain(Work& work, const Error& error) {
-  if (error.kind == Error::Kind::cancelled) return;
-  Toast toast;
-  toast.words = error.faults.empty() ? "Something went wrong." : error.faults[0];
-  toast.error = true;
-  work.say(std::move(toast));
 }
 
 // Starts afresh with a document; what is looked at begins anew, how stays.
@@ -116,6 +106,14 @@ void add_drawing(Work& work, const NamedBytes& file) {
 
 }  // namespace
 
+void complain(Work& work, const Error& error) {
+  if (error.kind == Error::Kind::cancelled) return;
+  Toast toast;
+  toast.words = error.faults.empty() ? "Something went wrong." : error.faults[0];
+  toast.error = true;
+  work.say(std::move(toast));
+}
+
 void new_document(Work& work) {
   start_with(work, blank_document());
 }
@@ -146,6 +144,10 @@ void open_example(Work& work, const std::string& name, bool greet) {
   work.platform.load_example(name, [&work, greet](Result<Example> example) {
     if (!example) return complain(work, example.error());
     open_document(work, {"", example->document, ""});
+    if (example->glb.empty()) {
+      perform(work, Command::mode_result);
+      return start_job(work, JobRequest::Kind::reconstruct);
+    }
     Result<Built> built = built_from(example->glb, example->document);
     if (!built) return complain(work, built.error());
     built->revision = work.history.revision();
@@ -245,64 +247,6 @@ void offer_recovery(Work& work) {
     toast.other_act = [&work] { work.platform.store("autosave", ""); };
     work.say(std::move(toast));
   });
-}
-
-// ---------------------------------------------------------------- export
-
-namespace {
-
-Result<std::string> as_glb(const Work& work) {
-  return work.built->glb;
-}
-
-Result<std::string> as_picture(const Work& work) {
-  RenderOptions options;
-  options.width = options.height = 1024;
-  options.yaw = -work.view.orbit.yaw;
-  options.pitch = work.view.orbit.pitch;
-  options.frame = work.view.frame;
-  return png_bytes(render_model(work.built->model, options));
-}
-
-constexpr ExportFormat kFormats[] = {
-    {"GLB", "rigged and animated", icon::kCubeSend, ".glb", as_glb},
-    {"PNG", "a picture from where you look", icon::kImageMultiple, ".png", as_picture},
-};
-
-}  // namespace
-
-std::span<const ExportFormat> export_formats() {
-  return kFormats;
-}
-
-std::string export_name(const Work& work, const ExportFormat& format) {
-  const std::string& name = work.document().name;
-  return (name.empty() ? "model" : name) + format.ending;
-}
-
-void export_model(Work& work, const ExportFormat& format) {
-  if (!work.built) return;
-  Result<std::string> bytes = format.bytes(work);
-  if (!bytes) return complain(work, bytes.error());
-  const std::string name = export_name(work, format);
-  const auto done = [&work](Result<Platform::Saved> saved) {
-    if (!saved) return complain(work, saved.error());
-    Toast toast;
-    toast.words = "Exported " + saved->name + ".";
-    work.say(std::move(toast));
-  };
-  if (work.platform.has_dialogs())
-    return work.platform.save_file(name, "", std::move(*bytes), done);
-  Question question;
-  question.title = "Export";
-  question.words = "Where to, and under which name?";
-  question.asks_path = true;
-  question.path = name;
-  question.with_path = [&work, name, bytes = std::move(*bytes), done](const std::string& path) {
-    work.platform.save_file(name, path, bytes, done);
-  };
-  question.answers = {{"Export", {}, true}, {"Cancel", {}}};
-  work.question = std::move(question);
 }
 
 }  // namespace artisketch

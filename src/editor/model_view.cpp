@@ -181,7 +181,8 @@ void foot(const Work& work, const Rect& band) {
     good = false;
   } else if (work.view.mode == Mode::result) {
     words = std::to_string(built.model.mesh.F.rows()) + " triangles, " +
-            std::to_string(built.model.skeleton.size()) + " joints" +
+            std::to_string(built.model.skeleton.size()) +
+            (built.model.skeleton.size() == 1 ? " joint" : " joints") +
             (built.model.texture ? ", 1 texture" : "");
   } else if (off > 0) {
     words = std::to_string(off) +

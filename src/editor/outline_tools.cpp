@@ -100,10 +100,10 @@ void edit_tool(Work& work, const Pointer& p, const OnScreen& on) {
     const Polyline& line = work.frame().contours[std::size_t(view.contour)].line;
     // As far as the next handles.
     const double reach = 14 / on.zoom;
-    change(work, "Move point",
-           with_contour_points(work.document(), view.frame, view.contour,
-                               dragged(line, work.gesture.points, work.gesture.point,
-                                       p.at - work.gesture.from, reach)));
+    work.change("Move point",
+                with_contour_points(work.document(), view.frame, view.contour,
+                                    dragged(line, work.gesture.points, work.gesture.point,
+                                            p.at - work.gesture.from, reach)));
   } else if (p.pressed && work.gesture.point < 0) {
     view.contour = contour_at(work, on, p.screen);
     view.joint = view.contour >= 0 ? work.frame().contours[std::size_t(view.contour)].joint : -1;

@@ -364,6 +364,8 @@ void take_model(Work& work, JobResult result) {
   toast.words = "The model is ready.";
   if (!built->warnings.empty()) toast.words += " " + built->warnings[0];
   show_built(work, std::move(*built));
+  if (std::exchange(work.view.wish.waits, false))
+    return export_model(work, export_formats()[work.view.wish.format]);
   if (work.view.mode != Mode::result) {
     toast.action = "See it move";
     toast.act = [&work] {

@@ -17,10 +17,17 @@ struct NamedBytes {
   std::string place;  // where save_file() can put it back; empty where it cannot
 };
 
-// A document that came with the program: its drawings inside, and the model made from it.
+// A document that came with the program: its drawings inside, and the model made from it, where
+// that came along too.
 struct Example {
   std::string document;
-  std::string glb;
+  std::string glb;  // may be empty
+};
+
+// How the gallery knows an example.
+struct ExampleCard {
+  std::string name;
+  int drawings = 0;
 };
 
 class Platform {
@@ -54,9 +61,12 @@ class Platform {
   virtual void store(const std::string& key, std::string bytes) = 0;
   virtual void load(const std::string& key, std::function<void(std::string)> then) = 0;
 
-  // Names of the examples, the one that greets first; and one of them.
-  virtual std::vector<std::string> examples() = 0;
+  // The examples, the one that greets first; one of them; and a small picture of its model, a PNG,
+  // empty where there is none.
+  virtual std::vector<ExampleCard> examples() = 0;
   virtual void load_example(const std::string& name, std::function<void(Result<Example>)> then) = 0;
+  virtual void load_example_picture(const std::string& name,
+                                    std::function<void(std::string)> then) = 0;
 
   // The window's or the tab's title; unsaved work makes its closing ask.
   virtual void set_title(const std::string& title, bool unsaved) = 0;

@@ -44,17 +44,6 @@ OnLine nearest_on(const Polyline& line, const OnScreen& on, ImVec2 p) {
   return best;
 }
 
-void change(Work& work, const std::string& name, Document next) {
-  if (work.gesture.moved) {
-    work.history.amend(std::move(next));
-    work.changed_at = ImGui::GetTime();
-    work.settle();
-  } else {
-    work.commit(name, std::move(next));
-  }
-  work.gesture.moved = true;
-}
-
 int joint_at(const std::vector<Transform>& posed, const FrameCamera& camera, const OnScreen& on,
              ImVec2 p, float reach) {
   int best = -1;

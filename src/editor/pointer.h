@@ -38,8 +38,4 @@ void take_joint(Work& work, const Pointer& p, const std::vector<Transform>& pose
 // What people call a joint's part.
 std::string part_words(const Work& work, int joint);
 
-// The document as a gesture has it by now: its first change is a step of undo, which the others
-// amend.
-void change(Work& work, const std::string& name, Document next);
-
 }  // namespace artisketch

@@ -41,9 +41,10 @@ void pose_tool(Work& work, const Pointer& p, const OnScreen& on) {
     const Vec3 target = target_at(skeleton, posed, camera, work.gesture.joint, p.at);
     const int parent = skeleton.joints[std::size_t(work.gesture.joint)].parent;
     const std::string name = part_words(work, parent >= 0 ? parent : work.gesture.joint);
-    change(work, parent >= 0 ? "Bend " + name : "Move body",
-           with_pose(work.document(), work.view.frame,
-                     with_joint_at(skeleton, work.frame().pose, work.gesture.joint, target, 1)));
+    work.change(
+        parent >= 0 ? "Bend " + name : "Move body",
+        with_pose(work.document(), work.view.frame,
+                  with_joint_at(skeleton, work.frame().pose, work.gesture.joint, target, 1)));
   }
 }
 
@@ -57,10 +58,10 @@ void twist_tool(Work& work, const Pointer& p, const OnScreen& on) {
   const float wheel = ImGui::GetIO().MouseWheel;
   if (!p.hovered || wheel == 0 || work.view.joint <= 0) return;
   const int parent = skeleton.joints[std::size_t(work.view.joint)].parent;
-  change(work, "Twist " + part_words(work, parent),
-         with_pose(
-             work.document(), work.view.frame,
-             with_bone_twisted(skeleton, work.frame().pose, work.view.joint, radians(5 * wheel))));
+  work.change("Twist " + part_words(work, parent),
+              with_pose(work.document(), work.view.frame,
+                        with_bone_twisted(skeleton, work.frame().pose, work.view.joint,
+                                          radians(5 * wheel))));
 }
 
 }  // namespace artisketch

@@ -66,16 +66,12 @@ void main_menu(Work& work, const Rect& button) {
 
 namespace {
 
-// A panel over a darkened window; false once it is dismissed.
-bool over_all(const char* name, const Rect& place, float width, float height) {
-  const Theme& t = theme();
-  {
-    const Panel veil("Veil", {0, 0, width, height}, rgb(0x000000, 0.45f), Panel::Layer::floating);
-    const ImGuiIO& io = ImGui::GetIO();
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !place.holds(io.MousePos)) return false;
-  }
-  const Panel panel(name, place, t.raised, Panel::Layer::floating, kRadiusPanel);
-  return !ImGui::IsKeyPressed(ImGuiKey_Escape);
+// Darkens the window; false once what stands at `place` over it is dismissed.
+bool over_all(const Rect& place, float width, float height) {
+  const Panel veil("Veil", {0, 0, width, height}, rgb(0x000000, 0.45f), Panel::Layer::floating);
+  const bool beside =
+      ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !place.holds(ImGui::GetIO().MousePos);
+  return !beside && !ImGui::IsKeyPressed(ImGuiKey_Escape);
 }
 
 }  // namespace
@@ -85,7 +81,7 @@ void question_sheet(Work& work, float width, float height) {
   const Theme& t = theme();
   const Rect place = Rect{0, 0, width, height}.middle(std::min(440.0f, width - 24),
                                                       work.question->asks_path ? 188 : 164);
-  const bool open = over_all("Question", place, width, height);
+  const bool open = over_all(place, width, height);
   const Panel panel("Question", place, t.raised, Panel::Layer::floating, kRadiusPanel);
   Rect column = place.inset(20);
   write(column.cut_top(24), Font::title, t.text, work.question->title);
@@ -95,8 +91,7 @@ void question_sheet(Work& work, float width, float height) {
   if (work.question->asks_path) {
     write(column.cut_top(22), Font::body, t.muted, work.question->words);
     column.cut_top(6);
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    if (text_field("Path", column.cut_top(34), work.question->path)) {
+    if (text_field("Path", column.cut_top(34), work.question->path, ImGui::IsWindowAppearing())) {
       act = [with = work.question->with_path, path = work.question->path] { with(path); };
       answered = true;
     }
@@ -140,7 +135,7 @@ void shortcut_sheet(Work& work, float width, float height) {
   constexpr float kRow = 28;
   const Rect place = Rect{0, 0, width, height}.middle(
       std::min(260.0f * float(columns) + 40, width - 24), kRow * float(rows) + 92);
-  if (!over_all("Shortcuts", place, width, height)) {
+  if (!over_all(place, width, height)) {
     work.view.help = false;
     return;
   }
@@ -165,13 +160,12 @@ void shortcut_sheet(Work& work, float width, float height) {
 
 void toasts(Work& work, const Layout& layout) {
   const Theme& t = theme();
-  constexpr double kSeconds = 6;
   const double now = ImGui::GetTime();
   float bottom = (layout.tablet ? layout.inspector.y : layout.strip.y) - 12;
   for (std::size_t i = 0; i < work.toasts.size();) {
     Toast& toast = work.toasts[i];
     if (toast.since < 0) toast.since = now;
-    if (!toast.error && now - toast.since > kSeconds) {
+    if (!toast.error && now - toast.since > kToastSeconds) {
       work.toasts.erase(work.toasts.begin() + std::ptrdiff_t(i));
       continue;
     }

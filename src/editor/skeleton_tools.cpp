@@ -19,11 +19,12 @@ void skeleton_tool(Work& work, const Pointer& p, const OnScreen& on) {
   if (parent < 0) {
     Pose pose = work.frame().pose;
     pose.root_position = target;
-    change(work, "Move body", with_pose(work.document(), work.view.frame, std::move(pose)));
+    work.change("Move body", with_pose(work.document(), work.view.frame, std::move(pose)));
     return;
   }
-  change(work, "Move " + part_words(work, joint),
-         with_joint_offset(work.document(), joint, posed[std::size_t(parent)].inverse() * target));
+  work.change(
+      "Move " + part_words(work, joint),
+      with_joint_offset(work.document(), joint, posed[std::size_t(parent)].inverse() * target));
 }
 
 }  // namespace artisketch

@@ -344,8 +344,11 @@ int segments(const std::vector<std::pair<std::string, Look>>& choices, const Rec
   return clicked;
 }
 
-bool text_field(const std::string& label, const Rect& place, std::string& text) {
+bool text_field(const std::string& label, const Rect& place, std::string& text, bool takes_keys) {
   record(label, place);
+  const std::string name = "##" + label;
+  // SetKeyboardFocusHere() does nothing in windows without ImGui's own navigation.
+  if (takes_keys) ImGui::ActivateItemByID(ImGui::GetID(name.c_str()));
   ImGui::SetCursorScreenPos(place.min());
   ImGui::PushFont(font(Font::body));
   const float padding = (place.h - ImGui::GetFontSize()) / 2;
@@ -358,7 +361,7 @@ bool text_field(const std::string& label, const Rect& place, std::string& text) 
     return 0;
   };
   const bool entered = ImGui::InputText(
-      ("##" + label).c_str(), text.data(), text.capacity() + 1,
+      name.c_str(), text.data(), text.capacity() + 1,
       ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_EnterReturnsTrue, grow, &text);
   ImGui::PopStyleVar();
   ImGui::PopFont();

@@ -73,7 +73,9 @@ bool slider(const std::string& label, const Rect& place, float& value, float low
 // A row of choices that share one frame; gives the one that was clicked, or −1.
 int segments(const std::vector<std::pair<std::string, Look>>& choices, const Rect& place,
              Font font = Font::body);
-bool text_field(const std::string& label, const Rect& place, std::string& text);
+// takes_keys: what is typed goes there from now on. True once Enter was pressed.
+bool text_field(const std::string& label, const Rect& place, std::string& text,
+                bool takes_keys = false);
 
 void tooltip(const std::string& words, const std::string& key);
 // Registers what another function draws and handles.

@@ -94,6 +94,18 @@ void how_it_is_done(Work& work, Rect column) {
   write(foot, Font::caption, t.muted, "Works offline. Your drawings never leave this computer.");
 }
 
+// Asked for once, and there when it came.
+const Drawing* example_picture(Work& work, const std::string& name) {
+  if (const auto known = work.example_pictures.find(name); known != work.example_pictures.end())
+    return work.drawings.at(known->second);
+  work.example_pictures[name] = "";
+  work.platform.load_example_picture(name, [&work, name](std::string png) {
+    const Result<std::string> key = work.drawings.add(std::move(png), name);
+    if (key) work.example_pictures[name] = *key;
+  });
+  return nullptr;
+}
+
 void gallery(Work& work, const Rect& place) {
   const Theme& t = theme();
   Rect column = place.inset(24, 12);
@@ -101,21 +113,36 @@ void gallery(Work& work, const Rect& place) {
   write(head.cut_left(72), Font::body_bold, t.text, "Examples");
   write(head, Font::caption, t.muted, "open one and change anything");
   column.cut_top(6);
-  static const std::vector<std::string> names = work.platform.examples();
-  if (names.empty()) return;
-  const float width = std::min(178.0f, (column.w + 12) / float(names.size()) - 12);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const Rect card = column.cut_left(width);
+  const std::vector<ExampleCard>& examples = work.examples;
+  if (examples.empty()) return;
+  const float width = std::min(178.0f, (column.w + 12) / float(examples.size()) - 12);
+  for (std::size_t i = 0; i < examples.size(); ++i) {
+    Rect card = column.cut_left(width);
     column.cut_left(12);
-    const std::string name = capitalised(names[i]);
+    const std::string name = capitalised(examples[i].name);
     const bool on = i == 0;
     const Press press = press_area("Example " + name, card);
     draw().AddRectFilled(card.min(), card.max(), press.hovered ? t.hover : t.control, kRadiusCard);
     if (on) draw().AddRect(card.min(), card.max(), t.accent, kRadiusCard, 0, 1.5f);
-    write_icon({card.x + 24, card.centre().y}, IconSize::large, on ? t.accent : t.muted,
-               icon::kWalk);
-    write({card.x + 46, card.y, card.w - 52, card.h}, Font::body_bold, t.text, name);
-    if (press.clicked) open_example(work, names[i], false);
+    if (press.clicked) return open_example(work, examples[i].name, false);
+    card = card.inset(6, 4);
+    const Rect picture = card.cut_left(std::min(card.h, card.w / 2));
+    const Drawing* model = example_picture(work, examples[i].name);
+    if (model) {
+      const float scale =
+          std::min(picture.w / float(model->image.width), picture.h / float(model->image.height));
+      show_picture(
+          model->texture,
+          picture.middle(scale * float(model->image.width), scale * float(model->image.height)), 1);
+    } else {
+      write_icon(picture.centre(), IconSize::large, on ? t.accent : t.muted, icon::kWalk);
+    }
+    card.cut_left(8);
+    const int count = examples[i].drawings;
+    const Rect words = card.middle(card.w, 40);
+    write(Rect(words).cut_top(20), Font::body_bold, t.text, name);
+    write(Rect(words).cut_bottom(20), Font::caption, t.muted,
+          count == 1 ? "one drawing" : std::to_string(count) + " drawings");
   }
 }
 

@@ -8,6 +8,7 @@
 #include <imgui.h>
 #include <imgui_impl_opengl3.h>
 #include <imgui_impl_sdl2.h>
+#include <imgui_internal.h>
 
 #include "editor/editor.h"
 #include "editor/fonts.h"
@@ -90,7 +91,6 @@ bool Window::take_events(double seconds) {
 }
 
 void Window::draw(Editor& editor) {
-  stirred_ = false;
   int width = 0, height = 0, pixels_wide = 0, pixels_high = 0;
   SDL_GetWindowSize(window_, &width, &height);
   SDL_GL_GetDrawableSize(window_, &pixels_wide, &pixels_high);
@@ -111,6 +111,8 @@ void Window::draw(Editor& editor) {
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   SDL_GL_SwapWindow(window_);
+  // Fast typing: ImGui takes one key a frame, and keeps the others for the next.
+  stirred_ = !ImGui::GetCurrentContext()->InputEventsQueue.empty();
 }
 
 }  // namespace artisketch

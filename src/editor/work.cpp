@@ -73,6 +73,16 @@ void Work::commit(std::string undo_name, Document next) {
   settle();
 }
 
+void Work::change(const std::string& undo_name, Document next) {
+  if (std::exchange(gesture.moved, true)) {
+    history.amend(std::move(next));
+    changed_at = ImGui::GetTime();
+    settle();
+  } else {
+    commit(undo_name, std::move(next));
+  }
+}
+
 void Work::settle() {
   const Document& now = document();
   view.frame = std::clamp(view.frame, 0, std::max(0, int(now.frames.size()) - 1));

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -67,6 +69,15 @@ struct Gesture {
   std::vector<Vec2> points;  // as the gesture found them
 };
 
+// What the export sheet chose.
+struct ExportWish {
+  std::size_t format = 0;
+  bool texture = true;
+  bool sides = false;             // sprites all round in place of one picture
+  std::set<std::string> without;  // clips that stay behind
+  bool waits = false;             // for the model under way
+};
+
 struct View {
   bool welcome = true;
   Mode mode = Mode::outline;
@@ -94,7 +105,7 @@ struct View {
   std::optional<Pose> posed;  // the result as the person dragged it
 
   bool exporting = false, all_drawings = false;
-  std::size_t export_format = 0;
+  ExportWish wish;
   float strip_scroll = 0;  // points
   bool dark = true;
   bool help = false;
@@ -105,6 +116,7 @@ struct View {
   Tool tool() const { return tools[std::size_t(mode)]; }
 };
 
+inline constexpr double kToastSeconds = 6;
 struct Toast {
   std::string words, action, other_action;
   std::function<void()> act, other_act;
@@ -154,10 +166,12 @@ struct Work {
 
   History history;
   Drawings drawings;
-  std::string name, place;        // of the file; empty before the first save
-  long saved = 0, autosaved = 0;  // revisions
-  double changed_at = 0;          // when the document changed last
-  double unkept_since = -1;       // when it first differed from what is kept for a crash
+  std::vector<ExampleCard> examples;                    // the gallery's
+  std::map<std::string, std::string> example_pictures;  // keys into `drawings`, once asked for
+  std::string name, place;                              // of the file; empty before the first save
+  long saved = 0, autosaved = 0;                        // revisions
+  double changed_at = 0;                                // when the document changed last
+  double unkept_since = -1;  // when it first differed from what is kept for a crash
 
   std::shared_ptr<Built> built;
   std::optional<Proposal> proposal;
@@ -185,6 +199,8 @@ struct Work {
   void say(Toast toast) { toasts.push_back(std::move(toast)); }
   // The next state of the document, by its undo name.
   void commit(std::string undo_name, Document next);
+  // The same for a gesture: its first change is a step of undo, which the others amend.
+  void change(const std::string& undo_name, Document next);
   // Keeps what is chosen within the document.
   void settle();
 

@@ -32,10 +32,12 @@ const Clip* frames_clip(const Model& model) {
 Figure figure_of(const Model& model, const RenderOptions& options) {
   Figure figure;
   const Clip* clip = frames_clip(model);
-  const bool posed =
+  const bool framed =
       options.frame && clip && *options.frame >= 0 && *options.frame < int(clip->poses.size());
-  figure.pose = posed ? clip->poses[*options.frame] : rest_pose(model.skeleton);
-  figure.shape = shape_of(model, posed ? &figure.pose : nullptr, options.by_joint);
+  figure.pose = options.pose ? *options.pose
+                : framed     ? clip->poses[*options.frame]
+                             : rest_pose(model.skeleton);
+  figure.shape = shape_of(model, options.pose || framed ? &figure.pose : nullptr, options.by_joint);
   figure.shadow = ground_shadow(figure.shape.mesh);
   const Points3& V = figure.shape.mesh.V;
   const Box3 box = bounds(V);
@@ -57,6 +59,12 @@ Image background(int width, int height) {
                    top.b + t * (bottom.b - top.b)};
     for (int x = 0; x < width; ++x) blend(image, x, y, c, 1);
   }
+  return image;
+}
+
+Image clear_image(int width, int height) {
+  Image image(width, height);
+  std::fill(image.rgba.begin(), image.rgba.end(), std::uint8_t(0));
   return image;
 }
 
@@ -90,15 +98,21 @@ void draw_ground_shadow(Image& image, const Figure& figure, double yaw, double p
 }
 
 Image picture(const Model& model, const Figure& figure, const RenderOptions& options, double yaw) {
-  Image image = background(options.width, options.height);
+  Image image = options.clear ? clear_image(options.width, options.height)
+                              : background(options.width, options.height);
   if (figure.shape.mesh.F.rows() == 0) return image;
   const FrameCamera camera = fitting_camera(figure, options.pitch, options.width, options.height);
   Transform view = Transform::Identity();
   view.rotate(Eigen::AngleAxisd(options.pitch, Vec3::UnitX()));
   view.rotate(Eigen::AngleAxisd(yaw, Vec3::UnitY()));
   view.translate(-figure.centre);
-  draw_ground_shadow(image, figure, yaw, options.pitch, camera);
-  draw_image(image, render_shape(figure.shape, view, camera, options.width, options.height), 0, 0);
+  Image shape = render_shape(figure.shape, view, camera, options.width, options.height);
+  if (options.clear) {
+    image = std::move(shape);
+  } else {
+    draw_ground_shadow(image, figure, yaw, options.pitch, camera);
+    draw_image(image, shape, 0, 0);
+  }
   if (options.skeleton)
     draw_skeleton(image, model.skeleton, joint_pixels(model.skeleton, figure.pose, view, camera));
   return image;
@@ -113,9 +127,11 @@ Image render_model(const Model& model, const RenderOptions& options) {
 Image render_turntable(const Model& model, const RenderOptions& options, int count) {
   Image strip(options.width * count, options.height);
   const Figure figure = figure_of(model, options);
-  for (int i = 0; i < count; ++i)
-    draw_image(strip, picture(model, figure, options, options.yaw + 2 * kPi * i / count),
-               i * options.width, 0);
+  for (int i = 0; i < count; ++i) {
+    const Image one = picture(model, figure, options, options.yaw + 2 * kPi * i / count);
+    for (int y = 0; y < one.height; ++y)
+      std::copy_n(one.at(0, y), 4 * one.width, strip.at(i * options.width, y));
+  }
   return strip;
 }
 

@@ -13,8 +13,10 @@ struct RenderOptions {
   int width = 800, height = 800;  // pixels
   double yaw = 0, pitch = 0;      // radians: the model turns about +y, then +x
   std::optional<int> frame;       // clip `frames`, key of that index; absent: the rest pose
+  std::optional<Pose> pose;       // in place of a frame's
   bool skeleton = false;          // drawn over the model
   bool by_joint = false;          // tinted by the joints, mixed by the weights, untextured
+  bool clear = false;             // nothing behind the model, straight alpha
 };
 
 // The model, shaded, anti-aliased, outlined, standing on soft ground. It is fitted into the picture

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <queue>
+#include <utility>
+#include <vector>
 
 #include "base/well_composed.h"
 
@@ -87,10 +89,32 @@ bool removable(Around inside, Around bubble) {
   return stays_well_composed(inside & ~(Around(1) << kCentre));
 }
 
-Around around(const BlockGrid& grid, const Index3& s) {
+// The samples round one, as indices into the grid's values; −1 where one isn't stored.
+struct Places {
+  std::ptrdiff_t at[27];
+};
+Places places_round(const BlockGrid& grid, std::ptrdiff_t sample) {
+  constexpr int n = BlockGrid::kSide;
+  Places places;
+  const int in_block = int(sample % BlockGrid::kSize);
+  const int x = in_block % n, y = in_block / n % n, z = in_block / (n * n);
+  const auto within = [](int i) { return i > 0 && i < n - 1; };
+  if (within(x) && within(y) && within(z)) {
+    for (int b = 0; b < 27; ++b)
+      places.at[b] = sample + (b % 3 - 1) + n * (b / 3 % 3 - 1) + n * n * (b / 9 - 1);
+    return places;
+  }
+  const Index3 s = grid.sample_of(sample);
+  for (int b = 0; b < 27; ++b)
+    places.at[b] = grid.find(s.x() + b % 3 - 1, s.y() + b / 3 % 3 - 1, s.z() + b / 9 - 1);
+  return places;
+}
+
+Around around(const BlockGrid& grid, std::ptrdiff_t sample) {
+  const Places places = places_round(grid, sample);
   Around set = 0;
   for (int b = 0; b < 27; ++b)
-    set |= Around(grid.inside(s.x() + b % 3 - 1, s.y() + b / 3 % 3 - 1, s.z() + b / 9 - 1)) << b;
+    set |= Around(places.at[b] >= 0 && grid.values[places.at[b]] < 0) << b;
   return set;
 }
 
@@ -151,10 +175,21 @@ struct Fill {
   float way = 1e30f;  // to the nearest open sample, in cells, along the lattice
   bool in = false;    // filled
   bool keep = false;  // filled for good
+  bool queued = false;
 };
 
 using Queue = std::priority_queue<std::pair<float, int>, std::vector<std::pair<float, int>>,
                                   std::greater<std::pair<float, int>>>;  // rank, index of a Fill
+
+void push_once(Queue& queue, std::vector<Fill>& all, int f, float rank) {
+  if (!std::exchange(all[f].queued, true)) queue.push({rank, f});
+}
+int take(Queue& queue, std::vector<Fill>& all) {
+  const int f = queue.top().second;
+  queue.pop();
+  all[f].queued = false;
+  return f;
+}
 
 // The places that may be filled.
 struct Fills {
@@ -164,14 +199,13 @@ struct Fills {
 
   std::vector<char> open;  // per sample of the grid: outside, and not in a bubble
 
-  Around around_of(int f) const { return around(grid, grid.sample_of(all[f].index)); }
+  Around around_of(int f) const { return around(grid, all[f].index); }
   // The samples round a place that are outside in a bubble.
   Around bubble_of(int f) const {
-    const Index3 s = grid.sample_of(all[f].index);
+    const Places places = places_round(grid, all[f].index);
     Around set = 0;
     for (int b = 0; b < 27; ++b) {
-      const std::ptrdiff_t n =
-          grid.find(s.x() + b % 3 - 1, s.y() + b / 3 % 3 - 1, s.z() + b / 9 - 1);
+      const std::ptrdiff_t n = places.at[b];
       set |= Around(n >= 0 && grid.values[n] >= 0 && !open[n]) << b;
     }
     return set;
@@ -189,11 +223,11 @@ struct Fills {
   // visit(index into all or −1, whether inside, length of the step in cells)
   template <class Visit>
   void neighbours(int f, const Visit& visit) const {
-    const Index3 s = grid.sample_of(all[f].index);
+    const Places places = places_round(grid, all[f].index);
     for (int b = 0; b < 27; ++b) {
       if (b == kCentre) continue;
+      const std::ptrdiff_t n = places.at[b];
       const Index3 d(b % 3 - 1, b / 3 % 3 - 1, b / 9 - 1);
-      const std::ptrdiff_t n = grid.find(s.x() + d.x(), s.y() + d.y(), s.z() + d.z());
       visit(n < 0 ? -1 : at[n], n >= 0 && grid.values[n] < 0, std::sqrt(float(d.squaredNorm())));
     }
   }
@@ -202,14 +236,18 @@ struct Fills {
 // From the parts outward, everything that joins nothing.
 void grow(Fills& fills) {
   Queue queue;
-  for (int f = 0; f < int(fills.all.size()); ++f) queue.push({fills.all[f].seam, f});
+  const auto push = [&](int f) {
+    if (!fills.all[f].in) push_once(queue, fills.all, f, fills.all[f].seam);
+  };
+  // What has nothing solid beside it waits until it has.
+  for (int f = 0; f < int(fills.all.size()); ++f)
+    if (fills.around_of(f) & kNear.ring6) push(f);
   while (!queue.empty()) {
-    const int f = queue.top().second;
-    queue.pop();
-    if (fills.all[f].in || !addable(fills.around_of(f))) continue;
+    const int f = take(queue, fills.all);
+    if (!addable(fills.around_of(f))) continue;
     fills.set(f, true);
     fills.neighbours(f, [&](int g, bool, float) {
-      if (g >= 0 && !fills.all[g].in) queue.push({fills.all[g].seam, g});
+      if (g >= 0) push(g);
     });
   }
 }
@@ -240,13 +278,12 @@ void measure_ways(Fills& fills) {
 void thin(Fills& fills) {
   Queue queue;
   const auto push = [&](int f) {
-    if (fills.all[f].in && !fills.all[f].keep) queue.push({fills.all[f].way, f});
+    if (fills.all[f].in && !fills.all[f].keep) push_once(queue, fills.all, f, fills.all[f].way);
   };
   for (int f = 0; f < int(fills.all.size()); ++f) push(f);
   while (!queue.empty()) {
-    const int f = queue.top().second;
-    queue.pop();
-    if (!fills.all[f].in || !removable(fills.around_of(f), fills.bubble_of(f))) continue;
+    const int f = take(queue, fills.all);
+    if (!removable(fills.around_of(f), fills.bubble_of(f))) continue;
     fills.set(f, false);
     fills.let_air_in(f);
     fills.neighbours(f, [&](int g, bool, float) {

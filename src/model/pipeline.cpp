@@ -54,7 +54,7 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   Result<Mesh> mesh = consolidate(out.calibrated, out.parts,
                                   {!options.visual_hull, options.triangles}, out.warnings, run);
   if (!mesh) return mesh.error();
-  *mesh = simplified(*mesh, options.triangles, pixel_size(out.calibrated) / 4);
+  *mesh = simplified(*mesh, options.triangles, pixel_size(out.calibrated) / 2);
   stages.finish({{"vertices", double(mesh->V.rows())}, {"triangles", double(mesh->F.rows())}});
 
   stages.start("weights", 0.9, 0.95);

@@ -37,21 +37,21 @@ Mesh simplified(const Mesh& mesh, int triangles, double error) {
   if (mesh.F.rows() <= triangles) return mesh;
   // meshoptimizer looks at a vertex's own triangles alone and may, rarely, pinch a thin place; the
   // more it takes away, the likelier. The shortest edges, which say the least, go by our own
-  // collapses, which keep the surface a manifold; where a pinch shows even then, all of them do.
-  const int enough = std::max(2 * triangles, int(mesh.F.rows() / 12));
-  const Mesh even = mesh.F.rows() > 2 * enough ? coarsened(mesh, enough) : mesh;
-  for (double wanted = triangles; wanted < 1.6 * triangles && wanted < even.F.rows();
-       wanted *= 1.25) {
-    Mesh fewer = collapsed(even, int(wanted), error);
+  // collapses, which keep the surface a manifold: the more of them, the rarer a pinch. They
+  // know no error, so most of the triangles are left to those that do.
+  Mesh even = mesh;
+  for (const double more : {4.0, 3.0, 2.0, 1.5}) {
+    const double enough = std::max(more * triangles, mesh.F.rows() / 6.0);
+    if (even.F.rows() > enough) even = coarsened(even, int(enough / 2));
+    Mesh fewer = collapsed(even, triangles, error);
     const Topology after = topology(fewer);
     // Thin places pass through each other where their sides are thinned apart.
     if (after.manifold() && after.euler == before.euler && after.components == before.components &&
         untangle(fewer) == 0)
       return fewer;
   }
-  Mesh fewer = coarsened(even, std::max(triangles / 2, enough / 4));
-  untangle(fewer);
-  return fewer;
+  untangle(even);
+  return even;
 }
 
 }  // namespace artisketch

@@ -136,7 +136,7 @@ test('a worker that crashes or lacks memory is reported in words, and the next o
   await context.route('**/worker.js', async (route) => {
     const answer = await route.fetch();
     let body = await answer.text();
-    if (wrong === 'crash') body += '\n;onmessage = () => { throw new Error("a test broke it"); };';
+    if (wrong === 'crash') body += '\n;onmessage = ({data}) => { if (data.request) throw new Error("a test broke it"); };';
     if (wrong === 'memory') {
       body += '\n;onmessage = ({data}) => { if (data.request) postMessage({died: {why: "out of memory", ofMemory: true}}); };';
     }
