@@ -104,6 +104,8 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/pointer.cpp
   src/editor/tools.cpp
   src/editor/outline_tools.cpp
+  src/editor/new_outline.cpp
+  src/editor/trace_tool.cpp
   src/editor/skeleton_tools.cpp
   src/editor/pose_tools.cpp
   src/editor/model_view.cpp

@@ -26,6 +26,17 @@ double length(const Polyline& line) {
   return sum;
 }
 
+bool contains(const Polyline& closed, const Vec2& p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < closed.points.size(); ++i) {
+    const Vec2 &a = closed.points[i], &b = closed.end_of(i);
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
+      inside = !inside;
+  }
+  return inside;
+}
+
 Box2 bounds(std::span<const Polyline> lines) {
   Box2 box;
   for (const Polyline& line : lines)
@@ -69,15 +80,7 @@ Vec2 centroid(std::span<const Polyline> lines) {
     int depth = 0;
     for (std::size_t m = 0; m < lines.size(); ++m) {
       if (m == l || !lines[m].closed) continue;
-      const Vec2& p = line.points[0];
-      bool inside = false;
-      for (std::size_t i = 0; i < lines[m].points.size(); ++i) {
-        const Vec2 &a = lines[m].points[i], &b = lines[m].end_of(i);
-        if ((a.y() > p.y()) != (b.y() > p.y()) &&
-            p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
-          inside = !inside;
-      }
-      depth += inside;
+      depth += contains(lines[m], line.points[0]);
     }
     double twice = 0;
     Vec2 six = Vec2::Zero();

@@ -20,6 +20,7 @@ struct Polyline {
 double signed_area(
     const Polyline& closed);  // pixels²; positive where the points run clockwise on screen (y down)
 double length(const Polyline& line);
+bool contains(const Polyline& closed, const Vec2& p);  // even-odd
 Box2 bounds(std::span<const Polyline> lines);
 
 // Points at equal steps of at most `step` pixels along the line, starting at its first point; an

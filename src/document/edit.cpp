@@ -33,10 +33,11 @@ std::string drawing_words(const Document& document, int frame) {
 }
 
 std::vector<int> parts_to_draw(const Document& document) {
-  std::vector<int> joints = drawn_joints(document);
-  if (!joints.empty()) return joints;
+  const std::vector<int> drawn = drawn_joints(document);
+  std::vector<int> joints;
   for (int j = 0; j < document.skeleton.size(); ++j)
-    if (!document.skeleton.children(j).empty()) joints.push_back(j);
+    if (!document.skeleton.children(j).empty() || std::binary_search(drawn.begin(), drawn.end(), j))
+      joints.push_back(j);
   return joints;
 }
 
@@ -137,17 +138,17 @@ namespace {
 
 // A joint's bone in a drawing: where it starts, its direction, its length in pixels. A leaf has
 // the direction of the bone before it.
-struct DrawnBone {
+struct BoneAxis {
   Vec2 start = Vec2::Zero(), along = Vec2(0, 1);
   double length = 0;
 };
-DrawnBone drawn_bone(const Document& document, int frame, int joint) {
+BoneAxis bone_axis(const Document& document, int frame, int joint) {
   const FrameCamera camera = frame_camera(document, frame);
   const std::vector<Transform> posed = posed_joints(document.skeleton, document.frames[frame].pose);
   const auto at = [&](int j) { return camera.project(posed[j].translation()); };
   const std::vector<int> children = document.skeleton.children(joint);
   const int parent = document.skeleton.joints[joint].parent;
-  DrawnBone bone{at(joint), Vec2(0, 1), 0};
+  BoneAxis bone{at(joint), Vec2(0, 1), 0};
   const Vec2 d = !children.empty() ? Vec2(at(children[0]) - bone.start)
                  : parent >= 0     ? Vec2(bone.start - at(parent))
                                    : Vec2(0, 1);
@@ -160,8 +161,8 @@ DrawnBone drawn_bone(const Document& document, int frame, int joint) {
 
 Document with_contour_copied(Document document, int frame, int contour, int to_frame) {
   Contour copy = contours_in(document, frame, contour)[contour];
-  const DrawnBone from = drawn_bone(document, frame, copy.joint),
-                  to = drawn_bone(document, to_frame, copy.joint);
+  const BoneAxis from = bone_axis(document, frame, copy.joint),
+                 to = bone_axis(document, to_frame, copy.joint);
   const double scale =
       std::min(document.frames[to_frame].width, document.frames[to_frame].height) /
       std::max(1.0, double(std::min(document.frames[frame].width, document.frames[frame].height)));
@@ -177,8 +178,8 @@ std::optional<Document> with_contour_mirrored(const Document& document, int fram
   Contour copy = document.frames.at(frame).contours.at(contour);
   const int mirror = document.skeleton.joints[copy.joint].mirror;
   if (mirror < 0 || mirror == copy.joint) return std::nullopt;
-  const DrawnBone from = drawn_bone(document, frame, copy.joint),
-                  to = drawn_bone(document, frame, mirror);
+  const BoneAxis from = bone_axis(document, frame, copy.joint),
+                 to = bone_axis(document, frame, mirror);
   for (Vec2& p : copy.line.points) {
     const Vec2 d = p - from.start;
     const double along = d.dot(from.along),

@@ -27,8 +27,7 @@ JointWords joint_words(const std::string& name);
 // A drawing's name as people read it: "front" → "Front"; its number where it has none.
 std::string drawing_words(const Document& document, int frame);
 
-// The joints whose parts are to be outlined: those that carry a contour anywhere; where none does,
-// all that have a child.
+// The joints whose parts are to be outlined: those that have a child, or carry a contour anywhere.
 std::vector<int> parts_to_draw(const Document& document);
 
 // ---------------------------------------------------------------- frames
@@ -69,13 +68,27 @@ struct StrokeOptions {
 std::optional<Polyline> outline_of_stroke(std::span<const Vec2> stroke,
                                           const StrokeOptions& options);
 
-// Cuts a closed outline along the segment a–b into two that overlap: each half goes `overlap`
-// pixels beyond the line. Nothing where the segment doesn't cross the outline exactly twice.
+// Cuts a closed outline along the segment a–b into two that overlap: each half goes up to `overlap`
+// times the cut's length inside the outline beyond the line, and never outside the outline. Where
+// the segment passes through several times, the stretch nearest to its middle counts. Nothing where
+// it doesn't go right across.
 std::optional<std::pair<Polyline, Polyline>> cut_outline(const Polyline& outline, const Vec2& a,
                                                          const Vec2& b, double overlap);
 
+// The outline cut so: the half with more of its part's bone stays in place, the other comes in
+// front as another part's, by the bones that lie in it. Nothing where cut_outline() gives nothing.
+std::optional<Document> with_contour_cut(const Document& document, int frame, int contour,
+                                         const Vec2& a, const Vec2& b);
+
 // The outline with the stretch nearest to the stroke's ends replaced by the stroke.
 Polyline with_stretch_redrawn(const Polyline& outline, std::span<const Vec2> stroke);
+
+// A part's bones as a frame shows them, in pixels; by joint. A joint without children has none,
+// unless it carries a contour in some frame: then its bone goes on from the one before it.
+struct DrawnBone {
+  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+};
+std::vector<std::vector<DrawnBone>> drawn_bones(const Document& document, int frame);
 
 // Joints that a new outline may belong to, the likeliest first, each with the reason in words.
 struct Candidate {

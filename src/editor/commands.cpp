@@ -49,6 +49,8 @@ constexpr CommandWords kCommands[] = {
     {Command::tool_edit, "Edit", icon::kCursorDefaultOutline, ImGuiKey_V},
     {Command::tool_draw, "Draw", icon::kPencil, ImGuiKey_D},
     {Command::tool_points, "Points", icon::kVectorPolyline, ImGuiKey_P},
+    {Command::tool_trace, "Trace", icon::kAutoFix, ImGuiKey_T, false, false,
+     "Outline what you click"},
     {Command::tool_cut, "Cut", icon::kContentCut, ImGuiKey_K},
     {Command::mirror, "Mirror", icon::kCompare, ImGuiKey_M, false, false,
      "Mirror the outline for the other side"},

@@ -43,6 +43,7 @@ enum class Command {
   tool_edit,
   tool_draw,
   tool_points,
+  tool_trace,
   tool_cut,
   mirror,
   copy_to,

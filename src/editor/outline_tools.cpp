@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "document/edit.h"
-#include "editor/pointer.h"
+#include "editor/new_outline.h"
 #include "editor/tools.h"
 
 namespace artisketch {
@@ -110,33 +110,6 @@ void edit_tool(Work& work, const Pointer& p, const OnScreen& on) {
   }
 }
 
-namespace {
-
-void keep_outline(Work& work) {
-  const NewOutline fresh = *work.outline;
-  work.outline.reset();
-  const int joint = fresh.joints[std::size_t(fresh.choice)];
-  work.commit("Draw " + part_words(work, joint),
-              with_contour(work.document(), fresh.frame, {joint, fresh.line, ""}));
-  work.view.joint = joint;
-  work.view.contour = int(work.frame().contours.size()) - 1;
-}
-
-void propose(Work& work, Polyline line) {
-  if (work.outline) keep_outline(work);
-  NewOutline fresh;
-  fresh.frame = work.view.frame;
-  for (Candidate& candidate : joint_candidates(work.document(), fresh.frame, line)) {
-    fresh.joints.push_back(candidate.joint);
-    fresh.reasons.push_back(std::move(candidate.reason));
-  }
-  if (fresh.joints.empty()) fresh.joints = {0}, fresh.reasons = {"the only joint"};
-  fresh.line = std::move(line);
-  work.outline = std::move(fresh);
-}
-
-}  // namespace
-
 void draw_tool(Work& work, const Pointer& p, const OnScreen& on) {
   if (p.pressed) work.stroke = {p.at};
   if (p.held && !work.stroke.empty() && apart(on.of(work.stroke.back()), p.screen) > 1.5f)
@@ -170,8 +143,13 @@ void draw_tool(Work& work, const Pointer& p, const OnScreen& on) {
       return;
     }
   }
-  if (std::optional<Polyline> line = outline_of_stroke(stroke, options))
-    propose(work, std::move(*line));
+  if (std::optional<Polyline> line = outline_of_stroke(stroke, options)) {
+    NewOutline fresh;
+    fresh.line = std::move(*line);
+    fresh.stroke = stroke;
+    fresh.options = options;
+    propose(work, std::move(fresh));
+  }
 }
 
 void points_tool(Work& work, const Pointer& p, const OnScreen& on) {
@@ -185,13 +163,18 @@ void points_tool(Work& work, const Pointer& p, const OnScreen& on) {
   if (closes) draw().AddCircle(on.of(points.front()), kCloseReach, theme().accent, 0, 1.5f);
   const bool enter = ImGui::IsKeyPressed(ImGuiKey_Enter, false) && points.size() > 2;
   if ((p.pressed && closes) || enter) {
-    propose(work, {points, true});
+    NewOutline fresh;
+    fresh.line = {std::move(points), true};
     points.clear();
+    propose(work, std::move(fresh));
   }
 }
 
 void cut_tool(Work& work, const Pointer& p, const OnScreen& on) {
-  if (p.pressed) work.stroke = {p.at, p.at};
+  if (p.pressed) {
+    if (work.outline) keep_outline(work);
+    work.stroke = {p.at, p.at};
+  }
   if (work.stroke.size() < 2) return;
   if (p.held) work.stroke[1] = p.at;
   const Vec2 a = work.stroke[0], b = work.stroke[1];
@@ -199,62 +182,23 @@ void cut_tool(Work& work, const Pointer& p, const OnScreen& on) {
   draw().AddLine(on.of(a), on.of(b), theme().error, 2);
   if (!p.released) return;
   work.stroke.clear();
-  const std::vector<Contour>& contours = work.frame().contours;
-  // The chosen outline, else the first that the line cuts right across.
-  for (int pass = 0; pass < 2; ++pass)
-    for (int i = 0; i < int(contours.size()); ++i) {
-      if (pass == 0 && i != work.view.contour) continue;
-      const Contour whole = contours[std::size_t(i)];
-      const auto halves = cut_outline(whole.line, a, b, 0.12 * (b - a).norm());
-      if (!halves) continue;
-      Document next =
-          with_contour_points(work.document(), work.view.frame, i, halves->first.points);
-      const std::vector<Candidate> likely = joint_candidates(next, work.view.frame, halves->second);
-      const int other = likely.empty() ? whole.joint : likely[0].joint;
-      next = with_contour(std::move(next), work.view.frame, {other, halves->second, whole.unknown});
-      work.commit("Cut " + part_words(work, whole.joint), std::move(next));
-      work.view.contour = int(work.frame().contours.size()) - 1;
-      work.view.joint = other;
-      return;
-    }
+  // The chosen outline, else the frontmost that the line cuts right across.
+  const int contours = int(work.frame().contours.size());
+  std::vector<int> order;
+  if (work.view.contour >= 0) order.push_back(work.view.contour);
+  for (int i = contours - 1; i >= 0; --i) order.push_back(i);
+  for (int i : order) {
+    std::optional<Document> next = with_contour_cut(work.document(), work.view.frame, i, a, b);
+    if (!next) continue;
+    const int joint = work.frame().contours[std::size_t(i)].joint;
+    work.commit("Cut " + part_words(work, joint), std::move(*next));
+    work.view.contour = int(work.frame().contours.size()) - 1;
+    work.view.joint = work.frame().contours.back().joint;
+    return;
+  }
   Toast toast;
   toast.words = "Draw the line right across one outline.";
   work.say(std::move(toast));
-}
-
-// The new outline, dashed, with a chip that says whose it will be.
-void pending_outline(Work& work, const Rect& place, const OnScreen& on) {
-  const Theme& t = theme();
-  NewOutline& fresh = *work.outline;
-  if (fresh.frame != work.view.frame) return;
-  const int joint = fresh.joints[std::size_t(fresh.choice)];
-  OutlineLook look;
-  look.dashed = true;
-  look.width = 2.5f;
-  look.fill = 0.12f;
-  paint_outline(draw(), fresh.line, on, joint_tint(joint), look);
-  const Box2 box = bounds(std::span(&fresh.line, 1));
-  const JointWords words = joint_words(work.document().skeleton.joints[std::size_t(joint)].name);
-  const float width = std::max(164.0f, text_width(Font::title, words.whole()) + 60);
-  const ImVec2 side = on.of({box.min().x(), box.center().y()});
-  Rect chip{side.x - width - 14, side.y - 31, width, 62};
-  if (chip.x < place.x + 4) chip.x = on.of({box.max().x(), 0}).x + 14;
-  chip.x = std::clamp(chip.x, place.x + 4, std::max(place.x + 4, place.right() - width - 4));
-  chip.y = std::clamp(chip.y, place.y + 4, place.bottom() - 66);
-  shadow(chip, kRadiusCard);
-  draw().AddRectFilled(chip.min(), chip.max(), t.raised, kRadiusCard);
-  draw().AddCircleFilled({chip.x + 20, chip.y + 19}, 7, joint_tint(joint));
-  write({chip.x + 36, chip.y + 8, chip.w - 40, 22}, Font::title, t.text, words.name);
-  write({chip.x + 42 + text_width(Font::title, words.name), chip.y + 9, 20, 22}, Font::small,
-        t.muted, words.side);
-  key_cap({chip.x + 12, chip.y + 36, 40, 18}, "Enter");
-  write({chip.x + 57, chip.y + 36, 40, 18}, Font::caption, t.muted, "keep");
-  key_cap({chip.x + 94, chip.y + 36, 32, 18}, "Tab");
-  write({chip.x + 131, chip.y + 36, 40, 18}, Font::caption, t.muted, "next");
-  if (ImGui::GetIO().WantTextInput) return;
-  if (ImGui::IsKeyPressed(ImGuiKey_Tab))
-    fresh.choice = (fresh.choice + 1) % int(fresh.joints.size());
-  if (ImGui::IsKeyPressed(ImGuiKey_Enter, false)) keep_outline(work);
 }
 
 }  // namespace artisketch

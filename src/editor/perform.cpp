@@ -287,6 +287,9 @@ void perform(Work& work, Command command) {
     case Command::tool_points:
       if (view.mode == Mode::outline) arm(work, Tool::points);
       break;
+    case Command::tool_trace:
+      if (view.mode == Mode::outline) arm(work, Tool::trace);
+      break;
     case Command::tool_cut:
       if (view.mode == Mode::outline) arm(work, Tool::cut);
       break;

@@ -45,9 +45,9 @@ OnLine nearest_on(const Polyline& line, const OnScreen& on, ImVec2 p) {
 }
 
 int joint_at(const std::vector<Transform>& posed, const FrameCamera& camera, const OnScreen& on,
-             ImVec2 p) {
+             ImVec2 p, float reach) {
   int best = -1;
-  float nearest = 14;
+  float nearest = reach;
   for (int j = 0; j < int(posed.size()); ++j) {
     const float distance = apart(on.of(camera.project(posed[std::size_t(j)].translation())), p);
     if (distance < nearest) nearest = distance, best = j;

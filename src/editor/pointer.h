@@ -27,9 +27,9 @@ struct OnLine {
 };
 OnLine nearest_on(const Polyline& line, const OnScreen& on, ImVec2 p);
 
-// The joint in reach of a place on screen; −1: none.
+// The joint within `reach` points of a place on screen; −1: none.
 int joint_at(const std::vector<Transform>& posed, const FrameCamera& camera, const OnScreen& on,
-             ImVec2 p);
+             ImVec2 p, float reach = 14);
 
 // A press takes the joint under it, or none.
 void take_joint(Work& work, const Pointer& p, const std::vector<Transform>& posed,

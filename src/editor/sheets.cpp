@@ -242,12 +242,15 @@ void status_line(const Work& work, const Layout& layout) {
       case Mode::outline:
         where = view.tool() == Tool::draw     ? "Draw"
                 : view.tool() == Tool::cut    ? "Cut"
+                : view.tool() == Tool::trace  ? "Trace"
                 : view.tool() == Tool::points ? "Points"
                                               : "Edit";
         what = view.tool() == Tool::draw ? "Drag around a part; let go near the start to close.  "
                                            "Start on the chosen outline to redraw that piece."
                : view.tool() == Tool::cut
                    ? "Drag a line across a part: it becomes two that overlap."
+               : view.tool() == Tool::trace
+                   ? "Click a shape; drag sideways to take in more or less, far right for all."
                : view.tool() == Tool::points
                    ? "Click point by point; Enter or a click on the first closes."
                    : "Click an outline, drag its points.  Double-click adds a point, Delete "

@@ -13,9 +13,10 @@ std::vector<Entry> tools_of(Mode mode) {
   switch (mode) {
     case Mode::outline:
       return {{Command::tool_edit, Tool::edit},     {Command::tool_draw, Tool::draw},
-              {Command::tool_points, Tool::points}, {Command::tool_cut, Tool::cut},
-              {Command::mirror, std::nullopt},      {Command::copy_to, std::nullopt},
-              {Command::behind, std::nullopt},      {Command::remove, std::nullopt}};
+              {Command::tool_points, Tool::points}, {Command::tool_trace, Tool::trace},
+              {Command::tool_cut, Tool::cut},       {Command::mirror, std::nullopt},
+              {Command::copy_to, std::nullopt},     {Command::behind, std::nullopt},
+              {Command::remove, std::nullopt}};
     case Mode::skeleton:
       return {{Command::tool_edit, Tool::edit}};
     case Mode::pose:

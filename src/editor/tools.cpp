@@ -1,15 +1,20 @@
 #include "editor/tools.h"
 
+#include "editor/new_outline.h"
+
 namespace artisketch {
 
 void use_tool(Work& work, const Rect& place, const OnScreen& on) {
-  const Pointer p = pointer_on(place, on);
+  Pointer p = pointer_on(place, on);
   switch (work.view.mode) {
     case Mode::outline:
+      if (picks_joint(work, p, on)) p.pressed = p.held = p.dragging = false;
       if (work.view.tool() == Tool::draw)
         draw_tool(work, p, on);
       else if (work.view.tool() == Tool::points)
         points_tool(work, p, on);
+      else if (work.view.tool() == Tool::trace)
+        trace_tool(work, p, on);
       else if (work.view.tool() == Tool::cut)
         cut_tool(work, p, on);
       else

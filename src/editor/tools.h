@@ -10,9 +10,9 @@ namespace artisketch {
 void edit_tool(Work& work, const Pointer& p, const OnScreen& on);
 void draw_tool(Work& work, const Pointer& p, const OnScreen& on);
 void points_tool(Work& work, const Pointer& p, const OnScreen& on);
+void trace_tool(Work& work, const Pointer& p, const OnScreen& on);
+void trace_with(Work& work, double tolerance);  // the pending outline, which was traced
 void cut_tool(Work& work, const Pointer& p, const OnScreen& on);
-// The new outline, dashed, with a chip that says whose it will be.
-void pending_outline(Work& work, const Rect& place, const OnScreen& on);
 
 // ---------------------------------------------------------------- skeleton
 

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "app/job.h"
+#include "document/edit.h"
 #include "document/history.h"
+#include "document/trace.h"
 #include "editor/commands.h"
 #include "editor/drawings.h"
 #include "editor/eye.h"
@@ -23,7 +25,7 @@ namespace artisketch {
 
 enum class Mode { outline, skeleton, pose, result };
 inline constexpr int kModes = 4;
-enum class Tool { edit, draw, points, cut, pose, twist };
+enum class Tool { edit, draw, points, trace, cut, pose, twist };
 
 // A finished model, and the document at the poses that it was made from.
 struct Built {
@@ -86,6 +88,9 @@ struct View {
   int joint = -1;    // chosen part, −1: none
   int contour = -1;  // chosen outline of the frame, −1: none
 
+  double tolerance = kUsualTolerance;  // of Trace, as it was used last
+  bool picking_joint = false;          // the next joint that is clicked gets the chosen outline
+
   bool fit = true;  // the drawing fills the canvas
   float zoom = 1;   // points per pixel of the sketch
   ImVec2 origin;    // where the sketch's corner stands in the window
@@ -134,13 +139,26 @@ struct Question {
   std::function<void(const std::string&)> with_path;
 };
 
+// What a traced outline came from: it can be traced again with another tolerance.
+struct Tracing {
+  TraceImage image;
+  Spread spread;
+  double from = 0;  // the tolerance when the gesture began
+};
+
 // An outline that was just drawn, and whose part it may be.
 struct NewOutline {
   Polyline line;
+  std::vector<Polyline> holes;
   int frame = 0;
   int choice = 0;  // of the candidates
   std::vector<int> joints;
   std::vector<std::string> reasons;
+  std::string verb = "Draw";  // as undo says it
+  std::vector<Vec2> stroke;   // it was drawn so, where it was
+  StrokeOptions options;
+  std::shared_ptr<Tracing> tracing;  // it was traced so, where it was
+  int arrived = 0;                   // ImGui's count of frames
 };
 
 struct Work {

@@ -116,7 +116,7 @@ TEST(Strokes, ADotIsNoOutline) {
 
 TEST(Cut, TheHalvesOverlapAndCoverTheWhole) {
   const Polyline whole = circle({100, 100}, 50);
-  const auto halves = cut_outline(whole, {20, 101}, {180, 101}, 10);
+  const auto halves = cut_outline(whole, {20, 101}, {180, 101}, 0.2);
   ASSERT_TRUE(halves);
   const double a = std::abs(signed_area(halves->first)), b = std::abs(signed_area(halves->second));
   EXPECT_GT(a + b, std::abs(signed_area(whole)) * 1.05);
@@ -127,9 +127,40 @@ TEST(Cut, TheHalvesOverlapAndCoverTheWhole) {
 
 TEST(Cut, ALineThatDoesNotCrossTwiceCutsNothing) {
   const Polyline whole = circle({100, 100}, 50);
-  EXPECT_FALSE(cut_outline(whole, {100, 100}, {180, 100}, 10));
-  EXPECT_FALSE(cut_outline(whole, {0, 0}, {180, 0}, 10));
-  EXPECT_FALSE(cut_outline(whole, {0, 0}, {0, 0}, 10));
+  EXPECT_FALSE(cut_outline(whole, {100, 100}, {180, 100}, 0.2));
+  EXPECT_FALSE(cut_outline(whole, {0, 0}, {180, 0}, 0.2));
+  EXPECT_FALSE(cut_outline(whole, {0, 0}, {0, 0}, 0.2));
+}
+
+TEST(Cut, StaysInsideAndTakesTheStretchNearestToTheLinesMiddle) {
+  // A comb of two teeth: the line passes through both.
+  const Polyline comb{
+      {{0, 0}, {100, 0}, {100, 60}, {70, 60}, {70, 20}, {30, 20}, {30, 60}, {0, 60}}, true};
+  const auto halves = cut_outline(comb, {60, 40}, {120, 40}, 0.5);
+  ASSERT_TRUE(halves);
+  const Polyline& tooth =
+      std::abs(signed_area(halves->first)) < 2000 ? halves->first : halves->second;
+  EXPECT_GT(bounds(std::span(&tooth, 1)).min().x(), 69);
+  const double both = std::abs(signed_area(halves->first)) + std::abs(signed_area(halves->second));
+  EXPECT_GT(both, std::abs(signed_area(comb)) + 100);
+  EXPECT_LT(bounds(std::span(&tooth, 1)).max().x(), 100.01);
+}
+
+TEST(Cut, GivesEachHalfThePartWhoseBoneLiesInIt) {
+  // A whole body as the chest's outline: the arm comes off, then the forearm from the arm.
+  Document document = figure();
+  document.frames[0].contours.push_back(
+      {0, {{{120, 80}, {350, 80}, {350, 120}, {210, 120}, {210, 180}, {120, 180}}, true}, ""});
+  const auto arm = with_contour_cut(document, 0, 0, {222, 60}, {222, 130});
+  ASSERT_TRUE(arm);
+  ASSERT_EQ(arm->frames[0].contours.size(), 2u);
+  EXPECT_EQ(arm->frames[0].contours[0].joint, 0);
+  EXPECT_EQ(arm->frames[0].contours[1].joint, 1);
+  const auto forearm = with_contour_cut(*arm, 0, 1, {270, 60}, {270, 130});
+  ASSERT_TRUE(forearm);
+  EXPECT_EQ(forearm->frames[0].contours[1].joint, 1);
+  EXPECT_EQ(forearm->frames[0].contours[2].joint, 2);
+  EXPECT_FALSE(with_contour_cut(document, 0, 0, {300, 60}, {300, 100}));
 }
 
 TEST(Redraw, OnlyTheStretchBetweenTheStrokesEndsChanges) {
