@@ -35,6 +35,7 @@ Json state_json(const Editor& editor) {
           {"joints", s.joints},
           {"hasModel", s.has_model},
           {"canUndo", s.can_undo},
+          {"undo", s.undo},
           {"message", s.message},
           {"unsaved", editor.unsaved()}};
 }

@@ -25,12 +25,13 @@ void fit(View& view, const Frame& frame, const Rect& place) {
 }
 
 // Wheel zooms at the pointer; the middle button, or two fingers, pan.
-void navigate(View& view, const Rect& place) {
+void navigate(Work& work, const Rect& place) {
+  View& view = work.view;
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) ||
       !place.holds(io.MousePos))
     return;
-  if (io.MouseWheel != 0 && !(view.mode == Mode::pose && view.tool() == Tool::twist))
+  if (io.MouseWheel != 0 && !wheel_twists(work, {view.origin, view.zoom}))
     zoom_about(view, io.MousePos, std::pow(1.15f, io.MouseWheel));
   if (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0)) {
     view.origin.x += io.MouseDelta.x;
@@ -71,6 +72,20 @@ void paint_model(Work& work, const FrameCamera& camera, const OnScreen& on, cons
   show_model(work, eye, options, work.over_sketch, work.view.layer().model_opacity, pixel_ratio);
 }
 
+// A lock beside each joint whose turn the calibration keeps.
+void paint_locks(const Work& work, const FrameCamera& camera, const OnScreen& on) {
+  const std::vector<Transform> posed = posed_joints(work.document().skeleton, work.drawn_pose());
+  for (const int joint : work.document().calibration.locked) {
+    const Vec3 place = posed[std::size_t(joint)].translation();
+    if (!camera.in_front(place)) continue;
+    const ImVec2 p = on.of(camera.project(place));
+    const ImVec2 at{p.x + 15, p.y - 13};
+    draw().AddCircleFilled(at, 11, rgb(0x1C2025, 0.9f));
+    draw().AddCircle(at, 11, rgb(0xFFFFFF, 0.9f), 0, 1.25f);
+    write_icon(at, IconSize::small, rgb(0xFFFFFF), icon::kLockOutline);
+  }
+}
+
 void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
   const View& view = work.view;
   const Frame& frame = work.frame();
@@ -95,7 +110,6 @@ void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
     BonesLook look;
     look.tapered = view.mode == Mode::pose;
     look.chosen = view.mode == Mode::outline ? -1 : view.joint;
-    look.size = work.view.mode == Mode::outline ? 1 : 1;
     if (work.proposal) {
       BonesLook other;
       other.faint = true;
@@ -105,6 +119,7 @@ void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
       paint_bones(draw(), work.document().skeleton, faint, camera, on, other);
     }
     paint_bones(draw(), work.document().skeleton, work.drawn_pose(), camera, on, look);
+    if (view.mode == Mode::pose) paint_locks(work, camera, on);
   }
 }
 
@@ -213,9 +228,10 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio) {
     return;
   }
   if (work.view.fit) fit(work.view, work.frame(), place);
-  navigate(work.view, place);
+  navigate(work, place);
   draw().PushClipRect(place.min(), place.max(), true);
   paint_sketch(work, place, pixel_ratio);
+  if (work.view.mode == Mode::pose) pose_insets(work, layout, pixel_ratio);
   use_tool(work, place, {work.view.origin, work.view.zoom});
   draw().PopClipRect();
   head(work, layout);

@@ -148,6 +148,7 @@ EditorState Editor::state() const {
   for (const Joint& joint : work.document().skeleton.joints) state.joints.push_back(joint.name);
   state.has_model = work.built != nullptr;
   state.can_undo = work.history.can_undo();
+  if (state.can_undo) state.undo = work.history.undo_name();
   state.message = parts_->message;
   return state;
 }

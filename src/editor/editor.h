@@ -34,6 +34,7 @@ struct EditorState {
   std::vector<std::string> joints;
   bool has_model = false;
   bool can_undo = false;
+  std::string undo;     // what undo would take back: "Bend Forearm L"
   std::string message;  // the toast shown last
 };
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "document/edit.h"
+#include "document/posing.h"
 #include "editor/panels.h"
 
 namespace artisketch {
@@ -43,15 +44,9 @@ void navigate(Orbit& orbit, const Rect& place, bool free_to_turn) {
   }
 }
 
-// The joint of the result that is being dragged.
-struct Dragged {
-  int joint = -1;
-  double depth = 0;  // along the view
-};
-Dragged dragged;
-
 // A drag that begins on a joint poses the model; gives whether it did.
 bool drag_joints(Work& work, const Eye& eye, const std::vector<Vec3>& joints) {
+  int& dragged = work.model_joint;
   const ImGuiIO& io = ImGui::GetIO();
   constexpr float kReach = 12;
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsWindowHovered()) {
@@ -61,21 +56,22 @@ bool drag_joints(Work& work, const Eye& eye, const std::vector<Vec3>& joints) {
       const float apart = std::hypot(p.x - io.MousePos.x, p.y - io.MousePos.y);
       if (apart >= best) continue;
       best = apart;
-      dragged.joint = j;
+      dragged = j;
     }
   }
-  if (!io.MouseDown[0]) dragged.joint = -1;
-  if (dragged.joint < 0) return false;
+  if (!io.MouseDown[0]) dragged = -1;
+  if (dragged < 0) return false;
   if (!ImGui::IsMouseDragging(ImGuiMouseButton_Left)) return true;
   // At its own depth, where the pointer is.
-  Eigen::Vector4d clip = eye.clip * joints[std::size_t(dragged.joint)].homogeneous();
+  Eigen::Vector4d clip = eye.clip * joints[std::size_t(dragged)].homogeneous();
   clip.x() = clip.w() * (2 * (io.MousePos.x - eye.place.x) / eye.place.w - 1);
   clip.y() = clip.w() * (1 - 2 * (io.MousePos.y - eye.place.y) / eye.place.h);
   const Vec3 target = Vec3((eye.clip.inverse() * clip).hnormalized()) - work.shown_footing();
   work.view.playing = false;
-  work.view.joint = dragged.joint;
+  work.view.joint = dragged;
+  const Skeleton& skeleton = work.built->model.skeleton;
   work.view.posed =
-      with_joint_at(work.built->model.skeleton, work.shown_pose(), dragged.joint, target);
+      with_joint_at(skeleton, work.shown_pose(), dragged, target, bones_dragged(skeleton, dragged));
   return true;
 }
 

@@ -15,7 +15,9 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio);
 void model_view(Work& work, const Layout& layout, float pixel_ratio);
 void inspector(Work& work, const Layout& layout);
 void parts_panel(Work& work, Rect place);  // Outline: which part is outlined where
-void pose_panel(Work& work, Rect place);   // Pose: the calibration's proposal
+// How far a joint's own bone leans out of the paper: "50° away".
+std::string lean_words(const Work& work, int joint);
+void pose_panel(Work& work, Rect place);  // Pose: the calibration's proposal
 void export_sheet(Work& work, const Rect& place);
 void drawing_strip(Work& work, const Layout& layout);
 void timeline(Work& work, const Layout& layout);
@@ -28,6 +30,11 @@ void main_menu(Work& work, const Rect& button);
 
 // What the chosen tool does on the canvas with the pointer.
 void use_tool(Work& work, const Rect& place, const OnScreen& on);
+
+// Beside the body in Pose: the ball that turns it, its side view, the drawings to copy from.
+void pose_insets(Work& work, const Layout& layout, float pixel_ratio);
+// Whether the wheel over the canvas twists a bone rather than zooms.
+bool wheel_twists(const Work& work, const OnScreen& on);
 
 // A button for a command: its icon, key and hint; asks for it when clicked.
 void command_button(Work& work, Command command, const Rect& place, Look look = {});

@@ -5,8 +5,9 @@
 #include <imgui.h>
 
 #include "document/edit.h"
+#include "document/posing.h"
 #include "editor/actions.h"
-#include "editor/panels.h"
+#include "editor/pointer.h"
 #include "files/document_file.h"
 
 namespace artisketch {
@@ -52,6 +53,10 @@ bool available(const Work& work, Command command) {
     }
     case Command::flip:
       return view.mode == Mode::pose && view.joint > 0 && work.has_frame();
+    case Command::lock:
+      return view.mode == Mode::pose && view.joint >= 0;
+    case Command::copy_pose:
+      return view.mode == Mode::pose && work.document().frames.size() > 1;
     case Command::reset:
       return view.mode == Mode::pose ? work.has_frame() : view.mode == Mode::result && view.posed;
     case Command::play:
@@ -293,6 +298,9 @@ void perform(Work& work, Command command) {
     case Command::tool_twist:
       if (view.mode == Mode::pose) arm(work, Tool::twist);
       break;
+    case Command::tool_turn:
+      if (view.mode == Mode::pose) arm(work, Tool::turn);
+      break;
     case Command::mirror:
     case Command::copy_to:
     case Command::behind:
@@ -302,12 +310,21 @@ void perform(Work& work, Command command) {
       break;
     case Command::flip: {
       const Skeleton& skeleton = work.document().skeleton;
-      const std::string name = joint_words(skeleton.joints[std::size_t(view.joint)].name).whole();
-      work.commit("Flip " + name,
-                  with_pose(work.document(), view.frame,
-                            with_bone_flipped(skeleton, work.frame().pose, view.joint)));
+      const std::string name = part_words(work, start_of_bone(skeleton, view.joint));
+      work.commit("Flip " + name, with_pose(work.document(), view.frame,
+                                            with_bone_flipped(skeleton, work.frame().pose,
+                                                              end_of_bone(skeleton, view.joint))));
       break;
     }
+    case Command::lock: {
+      const bool locked = is_locked(work.document(), view.joint);
+      work.commit((locked ? "Free " : "Lock ") + part_words(work, view.joint),
+                  with_lock(work.document(), view.joint, !locked));
+      break;
+    }
+    case Command::copy_pose:
+      view.choosing_pose = true;
+      break;
     case Command::reset:
       if (view.mode == Mode::result)
         view.posed.reset();

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "document/edit.h"
+#include "document/posing.h"
 #include "editor/panels.h"
 
 namespace artisketch {
@@ -95,6 +96,17 @@ void coverage_table(Work& work, Rect place) {
 
 }  // namespace
 
+std::string lean_words(const Work& work, int joint) {
+  const Skeleton& skeleton = work.document().skeleton;
+  const int start = start_of_bone(skeleton, joint), end = end_of_bone(skeleton, joint);
+  const std::vector<Transform> posed = posed_joints(skeleton, work.drawn_pose());
+  const Vec3 bone = posed[end].translation() - posed[start].translation();
+  if (bone.norm() < 1e-9) return "";
+  const int angle = int(std::lround(degrees(std::asin(bone.normalized().z()))));
+  if (angle == 0) return "in the paper's plane";
+  return std::to_string(std::abs(angle)) + (angle > 0 ? "° toward you" : "° away");
+}
+
 void pose_panel(Work& work, Rect place) {
   const Theme& t = theme();
   Rect head = place.cut_top(48).inset(16, 0);
@@ -106,7 +118,14 @@ void pose_panel(Work& work, Rect place) {
     if (work.proposal) coverage_table(work, place);
     return;
   }
-  command_button(work, Command::calibrate, place.cut_top(36).inset(12, 0));
+  Rect buttons = place.cut_top(36).inset(12, 0);
+  command_button(work, Command::calibrate, buttons.cut_left((buttons.w - 8) / 2));
+  Look copy;
+  copy.icon = icon::kContentCopy;
+  copy.hint = words_of(Command::copy_pose).hint;
+  copy.key = "C";
+  copy.enabled = available(work, Command::copy_pose);
+  if (button("Copy from", buttons.cut_right(buttons.w - 8), copy)) work.ask(Command::copy_pose);
   place.cut_top(14);
   const bool first = work.view.frame == 0 && !work.document().calibration.free_first_frame;
   const float used = write_lines(
@@ -119,22 +138,15 @@ void pose_panel(Work& work, Rect place) {
   if (work.view.joint < 0 || !work.has_frame()) return;
   // The chosen joint.
   const Skeleton& skeleton = work.document().skeleton;
-  const int joint = work.view.joint, parent = skeleton.joints[joint].parent;
+  const int joint = work.view.joint;
   hairline({place.x + 16, place.y}, {place.right() - 16, place.y + 1});
   place.cut_top(12);
   Rect row = place.cut_top(26).inset(16, 0);
   draw().AddCircleFilled({row.x + 6, row.centre().y}, 6, joint_tint(joint));
   row.cut_left(21);
   write(row, Font::body_bold, t.text, joint_words(skeleton.joints[joint].name).whole());
-  if (parent < 0) return;
-  const std::vector<Transform> posed = posed_joints(skeleton, work.frame().pose);
-  const Vec3 bone = posed[joint].translation() - posed[parent].translation();
-  const double toward = bone.norm() > 1e-9 ? degrees(std::asin(bone.normalized().z())) : 0;
-  const std::string words = std::abs(toward) < 1
-                                ? "In the paper's plane"
-                                : std::to_string(int(std::lround(std::abs(toward)))) +
-                                      (toward > 0 ? "° toward you" : "° away");
-  write(place.cut_top(22).inset(16, 0), Font::caption, t.muted, words);
+  if (is_locked(work.document(), joint)) write(row, Font::caption, t.muted, "locked", Align::right);
+  write(place.cut_top(22).inset(16, 0), Font::caption, t.muted, lean_words(work, joint));
 }
 
 }  // namespace artisketch

@@ -20,7 +20,7 @@ namespace artisketch {
 
 enum class Mode { outline, skeleton, pose, result };
 inline constexpr int kModes = 4;
-enum class Tool { edit, draw, points, cut, pose, twist };
+enum class Tool { edit, draw, points, cut, pose, twist, turn };
 
 // A finished model, and the document at the poses that it was made from.
 struct Built {
@@ -88,6 +88,7 @@ struct View {
   double time = 0;            // seconds
   std::optional<Pose> posed;  // the result as the person dragged it
 
+  bool choosing_pose = false;  // to copy: the drawings are listed
   bool exporting = false, all_drawings = false;
   std::size_t export_format = 0;
   float strip_scroll = 0;  // points
@@ -145,12 +146,14 @@ struct Work {
   std::optional<Proposal> proposal;
   std::optional<NewOutline> outline;
   Gesture gesture;
+  int model_joint = -1;      // of the result, while it is dragged
   std::vector<Vec2> stroke;  // under the pointer, in the sketch's pixels
   JobRequest::Kind running = JobRequest::Kind::reconstruct;
   long running_revision = -1;
 
   View view;
-  RenderTarget over_sketch, model_seen;  // the model over the drawing, and from all sides
+  // The model over the drawing, from all sides, and beside the drawing.
+  RenderTarget over_sketch, model_seen, model_beside;
   std::vector<Toast> toasts;
   std::optional<Question> question;
   bool closed = false;         // the person left
