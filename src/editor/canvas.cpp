@@ -58,18 +58,20 @@ void paint_outlines(const Work& work, const OnScreen& on) {
 
 void paint_model(Work& work, const FrameCamera& camera, const OnScreen& on, const Rect& place,
                  float pixel_ratio) {
-  const std::vector<Clip>& clips = work.built->model.clips;
+  const Built& shown = *work.shown();
+  const std::vector<Clip>& clips = shown.model.clips;
   if (clips.empty() || work.view.frame >= int(clips[0].poses.size())) return;
   const Pose& pose = clips[0].poses[std::size_t(work.view.frame)];
   // In Pose the model stands as the person has it, so that what does not fit shows.
   const Pose drawn = work.drawn_pose();
-  const bool theirs =
-      work.view.mode == Mode::pose && drawn.rotations.size() == pose.rotations.size();
-  work.built->picture->pose(theirs ? drawn : pose, Vec3::Zero());
+  const bool theirs = (work.view.mode == Mode::pose || work.shows_parts()) &&
+                      drawn.rotations.size() == pose.rotations.size();
+  shown.picture->pose(theirs ? drawn : pose, Vec3::Zero());
   const Eye eye = sketch_eye(camera, on.origin, on.zoom, place);
   PaintOptions options;
   options.dark = theme().dark;
-  show_model(work, eye, options, work.over_sketch, work.view.layer().model_opacity, pixel_ratio);
+  if (work.shows_parts()) options.surface = Surface::weights;
+  show_model(shown, eye, options, work.over_sketch, work.view.layer().model_opacity, pixel_ratio);
 }
 
 // A lock beside each joint whose turn the calibration keeps.
@@ -100,12 +102,13 @@ void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
     show_picture(drawing->texture, paper, opacity, {0, 0}, {1, 1}, theme().paper_tint);
   // The calibrated document may have found another scale for the frame.
   const FrameCamera camera = frame_camera(work.document(), view.frame);
-  if (layers.model && work.built) {
-    const bool same = view.frame < int(work.built->document.frames.size());
-    paint_model(work, same ? frame_camera(work.built->document, view.frame) : camera, on, place,
+  if (const Built* shown = layers.model ? work.shown() : nullptr) {
+    const bool same = view.frame < int(shown->document.frames.size());
+    paint_model(work, same ? frame_camera(shown->document, view.frame) : camera, on, place,
                 pixel_ratio);
   }
   if (layers.outlines) paint_outlines(work, on);
+  if (view.mode == Mode::pose) paint_fit_marks(work, place, on);
   if (layers.bones) {
     BonesLook look;
     look.tapered = view.mode == Mode::pose;
@@ -164,7 +167,7 @@ void head(Work& work, const Layout& layout) {
     row.cut_right(2);
   };
   toggle("Show model", "Lay the model over the drawing", icon::kCubeOutline, layers.model, "G",
-         work.built != nullptr);
+         work.shown() != nullptr);
   toggle("Show bones", "Show the skeleton", icon::kBone, layers.bones, "B", true);
   toggle("Show outlines", "Show the outlines", icon::kVectorCurve, layers.outlines, "", true);
   toggle("Show drawing", "Show the drawing", icon::kImage, layers.drawing, "H", true);
@@ -180,7 +183,7 @@ void foot(Work& work, const Layout& layout) {
     row.cut_left(8);
     slider("Drawing opacity", row.cut_left(length), layers.drawing_opacity, 0, 1);
     row.cut_left(24);
-    if (layers.model && work.built) {
+    if (layers.model && work.shown()) {
       write(row.cut_left(38), Font::caption, t.muted, "Model");
       row.cut_left(8);
       slider("Model opacity", row.cut_left(length), layers.model_opacity, 0, 1);

@@ -7,6 +7,7 @@
 #include "document/edit.h"
 #include "document/posing.h"
 #include "editor/actions.h"
+#include "editor/live.h"
 #include "editor/pointer.h"
 #include "files/document_file.h"
 
@@ -27,7 +28,7 @@ bool available(const Work& work, Command command) {
       return !drawn_joints(work.document()).empty();
     case Command::calibrate:
       return work.document().frames.size() > 1 && !drawn_joints(work.document()).empty() &&
-             !work.jobs.busy();
+             !work.busy();
     case Command::export_model:
       return !view.welcome && work.built != nullptr;
     case Command::previous_drawing:
@@ -98,7 +99,7 @@ void arm(Work& work, Tool tool) {
 
 void step_back(Work& work) {
   View& view = work.view;
-  if (work.jobs.busy()) {
+  if (work.busy()) {
     work.jobs.cancel();
   } else if (work.outline) {
     work.outline.reset();
@@ -261,7 +262,7 @@ void perform(Work& work, Command command) {
       view.fit = true;
       break;
     case Command::home:
-      if (work.built) look_at_model(work);
+      if (const Built* shown = work.shown()) look_at(work, shown->model);
       break;
     case Command::zoom_in:
       zoom_in_middle(view, 1.25f);
@@ -357,7 +358,7 @@ void show_built(Work& work, Built built) {
   work.built = std::make_shared<Built>(std::move(built));
   work.view.clip = 0;
   work.view.posed.reset();
-  if (first) look_at_model(work);
+  if (first) look_at(work, work.built->model);
 }
 
 namespace {
@@ -414,6 +415,7 @@ void take_calibration(Work& work, const JobResult& result) {
 void collect_job(Work& work) {
   std::optional<Result<JobResult>> outcome = work.jobs.poll();
   if (!outcome) return;
+  if (work.running == JobRequest::Kind::parts) return take_parts(work, std::move(*outcome));
   if (!*outcome) {
     const Error& error = outcome->error();
     Toast toast;

@@ -45,7 +45,7 @@ void turning_ball(Work& work, const Rect& canvas) {
   if (ImGui::IsItemActivated()) work.gesture = {};
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 centre = place.centre();
-  if (press.held && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+  if (item_dragged() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
     const Vec2 to(io.MousePos.x - centre.x, io.MousePos.y - centre.y);
     turn_body(work, ball_turn(to - Vec2(io.MouseDelta.x, io.MouseDelta.y), to, kBall));
   }
@@ -56,15 +56,17 @@ void turning_ball(Work& work, const Rect& canvas) {
 
 // From the viewer's right, without perspective: what is nearer to the viewer stands farther left.
 Eye side_eye(const Skeleton& skeleton, const Vec3& root, const Rect& place) {
-  double reach = 1e-6;
   const std::vector<Vec3> rest = rest_positions(skeleton);
-  for (const Vec3& joint : rest) reach = std::max(reach, (joint - rest[0]).norm());
+  Box3 box;
+  for (const Vec3& joint : rest) box.extend(joint);
+  const double reach = std::max({1e-6, box.sizes().y() / 2, box.sizes().z() / 2});
+  const Vec3 middle = root + Vec3(0, box.center().y() - rest[0].y(), 0);
   Eye eye;
   eye.place = place;
   eye.turn << 0, 0, -1, 0, 1, 0, 1, 0, 0;
-  const double scale = 1.05 / reach;
+  const double scale = 0.72 / reach;
   eye.clip.setIdentity();
-  const Vec3 shifted = eye.turn * root;
+  const Vec3 shifted = eye.turn * middle;
   eye.clip.topLeftCorner<3, 3>() = scale * eye.turn;
   eye.clip.topRightCorner<3, 1>() = -scale * shifted;
   eye.clip.row(2) *= -0.02;  // nearer is smaller, and nothing is cut off
@@ -84,11 +86,11 @@ void side_view(Work& work, const Rect& place, float pixel_ratio) {
   body = body.inset(4, 2);
   const Pose pose = work.drawn_pose();
   const Eye eye = side_eye(skeleton, pose.root_position, body);
-  if (work.built && work.built->model.skeleton.size() == skeleton.size()) {
-    work.built->picture->pose(pose, Vec3::Zero());
+  if (const Built* shown = work.shown(); shown && shown->model.skeleton.size() == skeleton.size()) {
+    shown->picture->pose(pose, Vec3::Zero());
     PaintOptions options;
     options.surface = Surface::shaded;
-    show_model(work, eye, options, work.model_beside, 0.34f, pixel_ratio, kRadiusPanel);
+    show_model(*shown, eye, options, work.model_beside, 0.34f, pixel_ratio, kRadiusPanel);
   }
   std::vector<ImVec2> at;
   const std::vector<Transform> posed = posed_joints(skeleton, pose);
@@ -106,7 +108,7 @@ void side_view(Work& work, const Rect& place, float pixel_ratio) {
       }
   }
   const int joint = work.gesture.joint;
-  if (ImGui::IsItemActive() && joint >= 0 && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+  if (joint >= 0 && item_dragged()) {
     work.proposal.reset();
     const double per_unit = std::abs(eye.clip(0, 2)) * place.w / 2;
     const double z = pose.root_position.z() - (io.MousePos.x - body.centre().x) / per_unit;

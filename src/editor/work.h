@@ -15,6 +15,7 @@
 #include "editor/eye.h"
 #include "editor/model_picture.h"
 #include "editor/platform.h"
+#include "model/fit_marks.h"
 
 namespace artisketch {
 
@@ -35,6 +36,27 @@ struct Built {
   std::unique_ptr<ModelPicture> picture;
 };
 Result<Built> built_from(const std::string& glb, const std::string& document);
+Built built_of(Model model, Document document);  // without fits and bytes
+
+struct PartMarks {
+  int joint = 0;
+  FitMarks marks;
+};
+
+// The parts as the document has them by now, coarse and apart (live.h).
+struct Live {
+  std::shared_ptr<Built> model;
+  std::vector<PartMesh> parts;
+  std::vector<FrameFit> fits;
+  long revision = -1;        // that they were made from
+  bool of_proposal = false;  // what is under way: the proposal's fit rather than the parts
+  // Marks of the drawing shown last, and what they were made for.
+  std::vector<PartMarks> marks;
+  bool marks_stale = true;
+  long marks_revision = -1;
+  int marks_frame = -1;
+  Pose marks_pose;
+};
 
 // Where a clip stands at a time; between keys as glTF interpolates.
 Pose pose_at(const Clip& clip, double time);
@@ -44,10 +66,11 @@ Vec3 footing_at(const Built& built, int clip, double time);
 struct Proposal {
   Document document;
   std::vector<PartCoverage> coverage;
-  std::vector<bool> taken;  // per joint
-  bool shown = true;        // the calibrated pose rather than the person's own
-  bool peeking = false;     // the other one, as long as a key is held
-  double since = 0;         // when it was shown: the change is animated
+  std::vector<FrameFit> fits;  // of the calibrated poses; empty until they are known
+  std::vector<bool> taken;     // per joint
+  bool shown = true;           // the calibrated pose rather than the person's own
+  bool peeking = false;        // the other one, as long as a key is held
+  double since = 0;            // when it was shown: the change is animated
   long revision = -1;
 };
 
@@ -143,6 +166,7 @@ struct Work {
   double unkept_since = -1;       // when it first differed from what is kept for a crash
 
   std::shared_ptr<Built> built;
+  Live live;
   std::optional<Proposal> proposal;
   std::optional<NewOutline> outline;
   Gesture gesture;
@@ -173,6 +197,13 @@ struct Work {
   // Keeps what is chosen within the document.
   void settle();
 
+  // A job that the person waits for is under way.
+  bool busy() const { return jobs.busy() && running != JobRequest::Kind::parts; }
+  // The model in view: the whole one, or while it is out of date, or not there yet, its parts.
+  // Null: neither.
+  const Built* shown() const;
+  bool shows_parts() const { return shown() && shown() == live.model.get(); }
+
   // The pose that the model shows: of the clip, the person's, or the drawing's.
   Pose shown_pose() const;
   Vec3 shown_footing() const;
@@ -184,6 +215,7 @@ struct Work {
 // How a part fits a drawing.
 enum class Fit { outlined, missing, off };
 Fit fit_of(const Work& work, int joint, int frame);
+double distance_in(const std::vector<FrameFit>& fits, int joint, int frame);  // as distance_of
 double distance_of(const Work& work, int joint, int frame);  // pixels; −1 where unknown
 inline constexpr double kOff = 3.5, kFarOff = 9;             // pixels: amber, red
 

@@ -85,4 +85,25 @@ def changes_depth_from_the_side_and_copies():
     window.close()
 
 
-run(drags_a_limb, turns_twists_flips_and_locks, changes_depth_from_the_side_and_copies)
+def shows_the_parts_and_where_they_miss():
+    window = Window("1440x900", examples / "hero/hero.artisketch")
+    window.wait(lambda: window.state()["liveParts"] == 15, why="the parts without a word")
+    assert not window.state()["busy"] and not window.state()["hasModel"]
+    window.picture("live-outline")
+    window.key("3")
+    window.key("period")
+    tag = window.wait(lambda: [w["label"] for w in window.widgets() if w["label"].startswith("Tag ")],
+                      why="a part that is off")[0]
+    assert tag.endswith(" px off"), tag
+    window.picture("fit-marks")
+    hand = joint(window, "Hand R")
+    before = [w["label"] for w in window.widgets() if w["label"].startswith("Off ")]
+    window.drag([hand, [hand[0] + 20, hand[1]], [hand[0] + 60, hand[1] + 60]])
+    window.wait(lambda: [w["label"] for w in window.widgets() if w["label"].startswith("Off ")]
+                != before, why="new distances")
+    window.picture("fit-marks-drag")
+    window.close()
+
+
+run(drags_a_limb, turns_twists_flips_and_locks, changes_depth_from_the_side_and_copies,
+    shows_the_parts_and_where_they_miss)
