@@ -53,6 +53,9 @@ enum class Command {
   tool_pose,
   flip,
   tool_twist,
+  tool_turn,
+  lock,
+  copy_pose,
   reset,
 };
 
