@@ -94,6 +94,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/sketch_paint.cpp
   src/editor/work.cpp
   src/editor/files.cpp
+  src/editor/drawings_in.cpp
   src/editor/exports.cpp
   src/editor/perform.cpp
   src/editor/layout.cpp
@@ -110,6 +111,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/model_view.cpp
   src/editor/inspector.cpp
   src/editor/pose_panel.cpp
+  src/editor/skeleton_panel.cpp
   src/editor/export_sheet.cpp
   src/editor/strip.cpp
   src/editor/sheets.cpp

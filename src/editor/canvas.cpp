@@ -93,9 +93,8 @@ void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
   if (layers.outlines) paint_outlines(work, on);
   if (layers.bones) {
     BonesLook look;
-    look.tapered = view.mode == Mode::pose;
+    look.tapered = view.mode == Mode::pose || view.mode == Mode::skeleton;
     look.chosen = view.mode == Mode::outline ? -1 : view.joint;
-    look.size = work.view.mode == Mode::outline ? 1 : 1;
     if (work.proposal) {
       BonesLook other;
       other.faint = true;

@@ -1,4 +1,5 @@
 #include "document/edit.h"
+#include "document/templates.h"
 #include "editor/panels.h"
 
 namespace artisketch {
@@ -242,6 +243,8 @@ void inspector(Work& work, const Layout& layout) {
              {layout.inspector.right(), layout.inspector.y + 1});
     if (work.view.exporting)
       export_sheet(work, layout.inspector);
+    else if (work.view.mode == Mode::skeleton)
+      template_cards(work, layout.inspector.inset(12, 14), int(all_templates().size()));
     else
       part_chips(work, layout.inspector);
     return;
@@ -250,6 +253,8 @@ void inspector(Work& work, const Layout& layout) {
            {layout.inspector.x + 1, layout.inspector.bottom()});
   if (work.view.exporting)
     export_sheet(work, layout.inspector);
+  else if (work.view.mode == Mode::skeleton)
+    skeleton_panel(work, layout.inspector);
   else if (work.view.mode == Mode::pose)
     pose_panel(work, layout.inspector);
   else

@@ -15,7 +15,9 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio);
 void model_view(Work& work, const Layout& layout, float pixel_ratio);
 void inspector(Work& work, const Layout& layout);
 void parts_panel(Work& work, Rect place);  // Outline: which part is outlined where
-void pose_panel(Work& work, Rect place);   // Pose: the calibration's proposal
+void skeleton_panel(Work& work, Rect place);
+void template_cards(Work& work, Rect place, int columns);
+void pose_panel(Work& work, Rect place);  // Pose: the calibration's proposal
 void export_sheet(Work& work, const Rect& place);
 void drawing_strip(Work& work, const Layout& layout);
 void timeline(Work& work, const Layout& layout);

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include "document/edit.h"
+#include "document/skeleton_edit.h"
 #include "editor/actions.h"
 #include "editor/panels.h"
 #include "files/document_file.h"
@@ -41,7 +42,12 @@ bool available(const Work& work, Command command) {
     case Command::in_front:
       return outline && view.contour + 1 < int(work.frame().contours.size());
     case Command::remove:
-      return outline;
+      return outline || (view.mode == Mode::skeleton && view.joint >= 0);
+    case Command::rename:
+      return view.mode == Mode::skeleton && view.joint >= 0;
+    case Command::both_sides:
+    case Command::equalise:
+      return view.mode == Mode::skeleton;
     case Command::copy_to:
       return outline && work.document().frames.size() > 1;
     case Command::mirror: {
@@ -141,6 +147,32 @@ void edit_outline(Work& work, Command command) {
                 with_contour_shifted(document, frame, contour, by));
     work.view.contour += by;
   }
+}
+
+void delete_joint(Work& work) {
+  const int joint = work.view.joint;
+  const std::string name = joint_words(work.document().skeleton.joints[joint].name).whole();
+  std::optional<Document> next = without_joint(work.document(), joint, work.view.both_sides);
+  if (!next) {
+    Toast toast;
+    toast.words = "All others hang on " + name + ". Delete those first.";
+    work.say(std::move(toast));
+    return;
+  }
+  const std::string& above =
+      work.document()
+          .skeleton.joints[std::max(0, work.document().skeleton.joints[joint].parent)]
+          .name;
+  const int parent = next->skeleton.find(above);
+  work.commit("Delete " + name, std::move(*next));
+  work.view.joint = parent;
+}
+
+void equalise(Work& work) {
+  const int joint = work.view.joint;
+  const std::string whose =
+      joint < 0 ? "pairs" : joint_words(work.document().skeleton.joints[joint].name).name;
+  work.commit("Equalise " + whose, with_pair_lengths_equal(work.document(), joint));
 }
 
 void add_blank_drawing(Work& work) {
@@ -300,8 +332,22 @@ void perform(Work& work, Command command) {
     case Command::copy_to:
     case Command::behind:
     case Command::in_front:
-    case Command::remove:
       edit_outline(work, command);
+      break;
+    case Command::remove:
+      if (view.mode == Mode::skeleton)
+        delete_joint(work);
+      else
+        edit_outline(work, command);
+      break;
+    case Command::both_sides:
+      view.both_sides = !view.both_sides;
+      break;
+    case Command::equalise:
+      equalise(work);
+      break;
+    case Command::rename:
+      work.naming.begin = true;
       break;
     case Command::flip: {
       const Skeleton& skeleton = work.document().skeleton;

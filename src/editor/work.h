@@ -88,6 +88,7 @@ struct View {
   int contour = -1;  // chosen outline of the frame, −1: none
 
   double tolerance = kUsualTolerance;  // of Trace, as it was used last
+  bool both_sides = true;              // Skeleton: what is done to one side is done to the other
   bool picking_joint = false;          // the next joint that is clicked gets the chosen outline
 
   bool fit = true;  // the drawing fills the canvas
@@ -122,6 +123,13 @@ struct Toast {
   std::function<void()> act, other_act;
   bool error = false;  // stays until it is dismissed
   double since = -1;   // set when it is shown first
+};
+
+// A joint's name while it is typed.
+struct Naming {
+  int joint = -1;
+  std::string of, typed;  // the name that it has, and the words that it gets
+  bool begin = false;     // the keyboard goes there
 };
 
 // What must be answered before work goes on; Esc is the last answer.
@@ -177,6 +185,7 @@ struct Work {
   std::optional<Proposal> proposal;
   std::optional<NewOutline> outline;
   Gesture gesture;
+  Naming naming;
   std::vector<Vec2> stroke;  // under the pointer, in the sketch's pixels
   JobRequest::Kind running = JobRequest::Kind::reconstruct;
   long running_revision = -1;
