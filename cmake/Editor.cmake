@@ -85,6 +85,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   # 5  editor: ImGui and GL only here
   src/editor/theme.cpp
   src/editor/fonts.cpp
+  src/editor/touch.cpp
   src/editor/window.cpp
   src/editor/ui.cpp
   src/editor/commands.cpp
@@ -105,6 +106,8 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/tools.cpp
   src/editor/outline_tools.cpp
   src/editor/new_outline.cpp
+  src/editor/outline_commands.cpp
+  src/editor/outline_panel.cpp
   src/editor/trace_tool.cpp
   src/editor/skeleton_tools.cpp
   src/editor/pose_tools.cpp

@@ -19,15 +19,15 @@ function(artisketch_web_module name begin environment)
 endfunction()
 
 # Small where it isn't slow: the interface, and the reading and writing of files.
-target_compile_options(artisketch_editor PRIVATE -Os)
-target_compile_options(artisketch_imgui PRIVATE -Os)
+target_compile_options(artisketch_editor PRIVATE -Oz)
+target_compile_options(artisketch_imgui PRIVATE -Oz)
 file(GLOB files CONFIGURE_DEPENDS src/files/*.cpp)
 set_source_files_properties(${files} src/app/cli.cpp src/app/job_bytes.cpp web/page_main.cpp
-  web/browser.cpp PROPERTIES COMPILE_OPTIONS -Os)
+  web/browser.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 
 artisketch_web_module(editor createEditor web web/page_main.cpp web/browser.cpp)
 target_link_libraries(editor PRIVATE artisketch_editor artisketch::json)
-target_link_options(editor PRIVATE -Os -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2)
+target_link_options(editor PRIVATE -Oz -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2)
 artisketch_web_module(core createCore worker web/worker_main.cpp)
 
 # The examples as the page shows them: drawings inside, the model made, and its picture. The first

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "document/edit.h"
+#include "editor/outline_commands.h"
 #include "editor/panels.h"
 
 namespace artisketch {
@@ -25,8 +26,14 @@ void fit(View& view, const Frame& frame, const Rect& place) {
 }
 
 // Wheel zooms at the pointer; the middle button, or two fingers, pan.
-void navigate(View& view, const Rect& place) {
+void navigate(View& view, const Fingers& fingers, const Rect& place) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (fingers.count > 1 && place.holds(fingers.at)) {
+    view.origin.x += fingers.moved.x;
+    view.origin.y += fingers.moved.y;
+    zoom_about(view, fingers.at, fingers.spread);
+    return;
+  }
   if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) ||
       !place.holds(io.MousePos))
     return;
@@ -178,6 +185,30 @@ void foot(Work& work, const Layout& layout) {
   command_icon(work, Command::zoom_out, row.cut_right(28).middle(28, 28));
 }
 
+// Where an outline crosses itself, with what puts it right.
+void crossing_chips(Work& work, const Rect& place) {
+  const Theme& t = theme();
+  const OnScreen on{work.view.origin, work.view.zoom};
+  int wanted = -2;
+  for (const CrossingMark& mark : crossing_marks(work)) {
+    const ImVec2 at = on.of(mark.at);
+    draw().AddCircle(at, 9, t.error, 0, 2);
+    constexpr const char* kWords = "Crosses itself";
+    const float words = text_width(Font::caption, kWords);
+    Rect chip{at.x + 16, at.y - 16, words + 84, 32};
+    if (chip.right() > place.right()) chip.x = at.x - 16 - chip.w;
+    shadow(chip, kRadius);
+    draw().AddRectFilled(chip.min(), chip.max(), t.raised, kRadius);
+    Rect row = chip.inset(10, 4);
+    write(row.cut_left(words + 10), Font::caption, t.error, kWords);
+    Look look;
+    look.id = mark.contour < 0 ? "Mend new" : "Mend " + std::to_string(mark.contour + 1);
+    look.hint = words_of(Command::mend).hint;
+    if (button("Mend", row, look)) wanted = mark.contour;
+  }
+  if (wanted >= -1) mend(work, wanted);
+}
+
 // The blank page: what to do first.
 void invitation(Work& work, const Rect& place) {
   const Theme& t = theme();
@@ -212,9 +243,11 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio) {
     return;
   }
   if (work.view.fit) fit(work.view, work.frame(), place);
-  navigate(work.view, place);
+  navigate(work.view, work.fingers, place);
   draw().PushClipRect(place.min(), place.max(), true);
   paint_sketch(work, place, pixel_ratio);
+  // Before the tool, whose place the marks' buttons lie in.
+  if (work.view.mode == Mode::outline) crossing_chips(work, place);
   use_tool(work, place, {work.view.origin, work.view.zoom});
   draw().PopClipRect();
   head(work, layout);

@@ -75,6 +75,20 @@ void advance(Work& work) {
 
 }  // namespace
 
+void Editor::touch(const Fingers& fingers) {
+  Work& work = parts_->work;
+  work.fingers = fingers;
+  if (fingers.began) {
+    // The first finger may have begun something before the second came.
+    work.stroke.clear();
+    if (work.gesture.moved) work.history.undo();
+    work.gesture = {};
+    work.settle();
+  }
+  if (fingers.tapped == 2) work.ask(Command::undo);
+  if (fingers.tapped == 3) work.ask(Command::redo);
+}
+
 void Editor::frame(float width, float height, float pixel_ratio) {
   Work& work = parts_->work;
   parts_->drawn_at = std::chrono::steady_clock::now();
@@ -87,7 +101,10 @@ void Editor::frame(float width, float height, float pixel_ratio) {
   collect_job(work);
   advance(work);
   const bool asking = work.question || work.view.help;
-  if (!asking) work.asked = pressed_commands();
+  if (asking)
+    work.asked.clear();
+  else
+    for (Command command : pressed_commands()) work.ask(command);
   if (work.proposal)
     work.proposal->peeking =
         ImGui::IsKeyDown(ImGuiKey_Space) && !ImGui::GetIO().WantTextInput && !asking;

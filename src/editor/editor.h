@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "base/types.h"
 #include "editor/platform.h"
+#include "editor/touch.h"
 
 namespace artisketch {
 
@@ -50,6 +51,9 @@ class Editor {
   // becomes true once that is settled.
   bool close();
   bool closed() const;
+
+  // What several fingers did since the last frame.
+  void touch(const Fingers& fingers);
 
   // Draws the whole window; size in points.
   void frame(float width, float height, float pixel_ratio);

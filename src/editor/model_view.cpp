@@ -24,19 +24,28 @@ void look_at_model(Work& work) {
 
 namespace {
 
-void navigate(Orbit& orbit, const Rect& place, bool free_to_turn) {
+// Moves what is looked at with the pointer; points.
+void pan(Orbit& orbit, ImVec2 by, const Rect& place) {
+  const double unit = orbit.distance / 2.4 * 2 / std::max(1.0f, place.h);
+  const Mat3 turn = orbit.turn();
+  orbit.target -= unit * (by.x * turn.row(0) - by.y * turn.row(1)).transpose();
+}
+
+void navigate(Orbit& orbit, const Fingers& fingers, const Rect& place, bool free_to_turn) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (fingers.count > 1 && place.holds(fingers.at)) {
+    pan(orbit, fingers.moved, place);
+    orbit.distance /= fingers.spread;
+    return;
+  }
   const Press press = press_area("Turn the model", place);
   const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
                        place.holds(io.MousePos);
   if (hovered && io.MouseWheel != 0) orbit.distance *= std::pow(0.9, io.MouseWheel);
-  const bool pan = hovered && (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) ||
-                               (press.held && io.KeyShift));
-  if (pan) {
-    const double unit = orbit.distance / 2.4 * 2 / std::max(1.0f, place.h);
-    const Mat3 turn = orbit.turn();
-    orbit.target -=
-        unit * (io.MouseDelta.x * turn.row(0) - io.MouseDelta.y * turn.row(1)).transpose();
+  const bool panning = hovered && (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) ||
+                                   (press.held && io.KeyShift));
+  if (panning) {
+    pan(orbit, io.MouseDelta, place);
   } else if (press.held && free_to_turn) {
     orbit.yaw -= 0.01 * io.MouseDelta.x;
     orbit.pitch = std::clamp(orbit.pitch + 0.01 * io.MouseDelta.y, -1.5, 1.5);
@@ -253,7 +262,7 @@ void model_view(Work& work, const Layout& layout, float pixel_ratio) {
   if (!layout.tablet)
     turning = {place.x, layout.view_head.bottom(), place.w,
                layout.view_foot.y - layout.view_head.bottom()};
-  navigate(work.view.orbit, turning, !grabbed);
+  navigate(work.view.orbit, work.fingers, turning, !grabbed);
   paint_axes(eye,
              {place.right() - 38, layout.tablet ? place.bottom() - 40 : layout.view_foot.y - 16});
   if (layout.tablet) {

@@ -15,6 +15,9 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio);
 void model_view(Work& work, const Layout& layout, float pixel_ratio);
 void inspector(Work& work, const Layout& layout);
 void parts_panel(Work& work, Rect place);  // Outline: which part is outlined where
+// A joint's name as people read it, its side smaller.
+void part_name(Rect row, const std::string& name, bool chosen);
+void outline_panel(Work& work, Rect place);
 void skeleton_panel(Work& work, Rect place);
 void template_cards(Work& work, Rect place, int columns);
 void pose_panel(Work& work, Rect place);  // Pose: the calibration's proposal

@@ -1,6 +1,7 @@
 #include "editor/window.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <utility>
 
 #include <GLES3/gl3.h>
@@ -71,12 +72,43 @@ Window::~Window() {
   if (window_) SDL_Quit();
 }
 
+bool Window::take_touch(const SDL_Event& event) {
+  // A mouse that SDL makes of the first finger: it rests while there are several.
+  const auto of_finger = [](Uint32 which) { return which == SDL_TOUCH_MOUSEID; };
+  if (event.type == SDL_MOUSEMOTION && of_finger(event.motion.which)) return !touch_.several();
+  if ((event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP) &&
+      of_finger(event.button.which))
+    return !touch_.several();
+  if (event.type != SDL_FINGERDOWN && event.type != SDL_FINGERMOTION && event.type != SDL_FINGERUP)
+    return true;
+  int width = 0, height = 0;
+  SDL_GetWindowSize(window_, &width, &height);
+  const SDL_TouchFingerEvent& finger = event.tfinger;
+  const ImVec2 at{finger.x * float(width), finger.y * float(height)};
+  const double time = finger.timestamp / 1000.0;
+  if (event.type == SDL_FINGERMOTION) {
+    touch_.move(finger.fingerId, at);
+  } else if (event.type == SDL_FINGERUP) {
+    touch_.up(finger.fingerId, time);
+  } else {
+    const bool alone = !touch_.several();
+    touch_.down(finger.fingerId, at, time);
+    if (alone && touch_.several()) {  // the pointer leaves without a click
+      ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+      ImGui::GetIO().AddMouseButtonEvent(ImGuiMouseButton_Left, false);
+      pointer_.reset();
+    }
+  }
+  return false;
+}
+
 bool Window::take_events(double seconds) {
   SDL_Event event;
   bool open = true;
   int got = seconds > 0 ? SDL_WaitEventTimeout(&event, int(seconds * 1000)) : SDL_PollEvent(&event);
   for (; got; got = SDL_PollEvent(&event)) {
     stirred_ = true;
+    if (!take_touch(event)) continue;
     ImGui_ImplSDL2_ProcessEvent(&event);
     if (event.type == SDL_QUIT) open = false;
     if (event.type == SDL_MOUSEMOTION) pointer_ = {float(event.motion.x), float(event.motion.y)};
@@ -102,6 +134,7 @@ void Window::draw(Editor& editor) {
   // send no raw events (VNC, Xvfb).
   if (pointer_) ImGui::GetIO().AddMousePosEvent(pointer_->first, pointer_->second);
   ImGui::NewFrame();
+  editor.touch(touch_.take());
   editor.frame(float(width), float(height), ratio);
   ImGui::Render();
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

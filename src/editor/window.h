@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "base/result.h"
+#include "editor/touch.h"
 
 struct SDL_Window;
+union SDL_Event;
 
 namespace artisketch {
 
@@ -34,9 +36,12 @@ class Window {
 
  private:
   Window() = default;
+  // Whether the pointer is to know of it.
+  bool take_touch(const SDL_Event& event);
   SDL_Window* window_ = nullptr;
   void* context_ = nullptr;
   bool stirred_ = true;
+  Touch touch_;
   std::optional<std::pair<float, float>> pointer_;  // where it is over the window
 };
 

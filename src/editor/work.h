@@ -19,6 +19,7 @@
 #include "editor/eye.h"
 #include "editor/model_picture.h"
 #include "editor/platform.h"
+#include "editor/touch.h"
 
 namespace artisketch {
 
@@ -89,6 +90,10 @@ struct View {
 
   double tolerance = kUsualTolerance;  // of Trace, as it was used last
   bool both_sides = true;              // Skeleton: what is done to one side is done to the other
+  std::optional<int> moving_drawing;   // dragged along the strip
+  int point = -1;                      // the chosen outline's, under the pointer
+  bool redrawing = false;              // the next outline takes the place of the chosen one
+  bool joining = false;                // the next outline that is clicked is joined to it
   bool picking_joint = false;          // the next joint that is clicked gets the chosen outline
 
   bool fit = true;  // the drawing fills the canvas
@@ -186,9 +191,20 @@ struct Work {
   std::optional<NewOutline> outline;
   Gesture gesture;
   Naming naming;
+  Fingers fingers;
   std::vector<Vec2> stroke;  // under the pointer, in the sketch's pixels
   JobRequest::Kind running = JobRequest::Kind::reconstruct;
   long running_revision = -1;
+
+  struct Crossings {
+    long revision = -1;
+    double edits = -1;  // when the document changed last
+    int frame = -1;
+    std::vector<std::optional<Vec2>> at;  // by contour
+  };
+  mutable Crossings crossings;
+
+  std::vector<Vec2> handles;  // of the stroke's points, where it is made point by point
 
   View view;
   RenderTarget over_sketch, model_seen;  // the model over the drawing, and from all sides

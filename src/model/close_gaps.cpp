@@ -1,6 +1,6 @@
 #include "model/close_gaps.h"
 
-#include <cmath>
+#include <algorithm>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -16,7 +16,8 @@ constexpr int kCentre = 13;
 
 struct Neighbourhoods {
   Around near6[27] = {}, near26[27] = {};  // the neighbours of each within the 27
-  Around ring6 = 0, ring18 = 0, ring26 = 0;
+  Around ring6 = 0, ring18 = 0, ring26 = 0, all = (Around(1) << 27) - 1;
+  float step[27] = {};  // from the centre
 };
 
 constexpr Neighbourhoods neighbourhoods() {
@@ -32,6 +33,7 @@ constexpr Neighbourhoods neighbourhoods() {
       n.near26[a] |= Around(1) << b;
       if (x + y + z == 1) n.near6[a] |= Around(1) << b;
       if (a != kCentre) continue;
+      n.step[b] = x + y + z == 1 ? 1 : x + y + z == 2 ? 1.41421356f : 1.73205081f;
       n.ring26 |= Around(1) << b;
       if (x + y + z <= 2) n.ring18 |= Around(1) << b;
       if (x + y + z == 1) n.ring6 |= Around(1) << b;
@@ -81,8 +83,8 @@ bool addable(Around inside) {
 // Whether the centre can leave the solid without changing its topology (a simple point: Bertrand
 // and Malandain 1994, 6-connected inside, 26-connected outside). It may let the air into a bubble.
 bool removable(Around inside, Around bubble) {
-  if (pieces(inside & kNear.ring18, kNear.near6, kNear.ring6) != 1) return false;
   const Around outside = ~inside & kNear.ring26;
+  if (pieces(inside & kNear.ring18, kNear.near6, kNear.ring6) != 1) return false;
   const int open = pieces(outside & ~bubble, kNear.near26, kNear.ring26);
   const int closed = pieces(outside & bubble, kNear.near26, kNear.ring26);
   if (open > 1 || closed > 1 || open + closed == 0) return false;
@@ -142,29 +144,72 @@ void flood(const BlockGrid& grid, std::vector<std::ptrdiff_t>& front, std::vecto
   }
 }
 
-// The outside samples that hang together with the border of what is stored.
+// The outside samples that hang together with the border of what is stored. Blocks that hold
+// nothing solid, which most do, open as a whole.
 std::vector<char> open_samples(const BlockGrid& grid) {
-  std::vector<char> open(grid.values.size(), 0);
-  std::vector<std::ptrdiff_t> front;
+  constexpr int n = BlockGrid::kSide, kSize = BlockGrid::kSize;
+  std::vector<char> open(grid.values.size(), 0), empty(grid.at.size());
   for (std::size_t b = 0; b < grid.at.size(); ++b) {
-    const Index3 at = grid.at[b];
+    const float* values = &grid.values[b * kSize];
+    empty[b] = std::none_of(values, values + kSize, [](float v) { return v < 0; });
+  }
+  std::vector<int> front;  // empty blocks
+  std::vector<std::ptrdiff_t> samples;
+  const auto open_block = [&](int b) {
+    char* first = &open[std::size_t(b) * kSize];
+    if (*first) return;
+    std::fill(first, first + kSize, char(1));
+    front.push_back(b);
+  };
+  const auto open_sample = [&](std::ptrdiff_t s) {
+    if (grid.values[s] < 0 || open[s]) return;
+    open[s] = 1;
+    samples.push_back(s);
+  };
+  const auto slot_beside = [&](const Index3& at, int axis, int way) {
+    Index3 beside = at;
+    beside[axis] += way;
+    return grid.has_block(beside.x(), beside.y(), beside.z())
+               ? grid.slot[grid.block_index(beside.x(), beside.y(), beside.z())]
+               : -1;
+  };
+  for (int b = 0; b < int(grid.at.size()); ++b)
     for (int axis = 0; axis < 3; ++axis)
       for (const int way : {-1, 1}) {
-        Index3 beside = at;
-        beside[axis] += way;
-        if (grid.has_block(beside.x(), beside.y(), beside.z()) &&
-            grid.slot[grid.block_index(beside.x(), beside.y(), beside.z())] >= 0)
+        if (slot_beside(grid.at[b], axis, way) >= 0) continue;
+        if (empty[b]) {
+          open_block(b);
           continue;
+        }
         // The middle of the face is outside: parts keep a margin from the blocks' border.
-        Index3 middle = grid.first_sample(int(b)) + Index3::Constant(BlockGrid::kSide / 2);
-        middle[axis] += way < 0 ? -BlockGrid::kSide / 2 : BlockGrid::kSide / 2 - 1;
-        const std::ptrdiff_t s = grid.find(middle.x(), middle.y(), middle.z());
-        if (grid.values[s] < 0 || open[s]) continue;
-        open[s] = 1;
-        front.push_back(s);
+        Index3 middle = Index3::Constant(n / 2);
+        middle[axis] += way < 0 ? -n / 2 : n / 2 - 1;
+        open_sample(std::ptrdiff_t(b) * kSize +
+                    BlockGrid::within(middle.x(), middle.y(), middle.z()));
+      }
+  while (!front.empty()) {
+    const int b = front.back();
+    front.pop_back();
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int way : {-1, 1}) {
+        const int beside = slot_beside(grid.at[b], axis, way);
+        if (beside < 0) continue;
+        if (empty[beside]) {
+          open_block(beside);
+          continue;
+        }
+        Index3 p;
+        p[axis] = way < 0 ? n - 1 : 0;
+        for (int v = 0; v < n; ++v)
+          for (int u = 0; u < n; ++u) {
+            p[(axis + 1) % 3] = u;
+            p[(axis + 2) % 3] = v;
+            open_sample(std::ptrdiff_t(beside) * kSize + BlockGrid::within(p.x(), p.y(), p.z()));
+          }
       }
   }
-  flood(grid, front, open);
+  // Through what is left; a pocket of empty blocks behind a neck is reached sample by sample.
+  flood(grid, samples, open);
   return open;
 }
 
@@ -227,8 +272,7 @@ struct Fills {
     for (int b = 0; b < 27; ++b) {
       if (b == kCentre) continue;
       const std::ptrdiff_t n = places.at[b];
-      const Index3 d(b % 3 - 1, b / 3 % 3 - 1, b / 9 - 1);
-      visit(n < 0 ? -1 : at[n], n >= 0 && grid.values[n] < 0, std::sqrt(float(d.squaredNorm())));
+      visit(n < 0 ? -1 : at[n], n >= 0 && grid.values[n] < 0, kNear.step[b]);
     }
   }
 };
@@ -283,7 +327,9 @@ void thin(Fills& fills) {
   for (int f = 0; f < int(fills.all.size()); ++f) push(f);
   while (!queue.empty()) {
     const int f = take(queue, fills.all);
-    if (!removable(fills.around_of(f), fills.bubble_of(f))) continue;
+    const Around inside = fills.around_of(f);
+    if ((inside | Around(1) << kCentre) == kNear.all) continue;  // buried, for now
+    if (!removable(inside, fills.bubble_of(f))) continue;
     fills.set(f, false);
     fills.let_air_in(f);
     fills.neighbours(f, [&](int g, bool, float) {

@@ -39,17 +39,18 @@ Mesh simplified(const Mesh& mesh, int triangles, double error) {
   // more it takes away, the likelier. The shortest edges, which say the least, go by our own
   // collapses, which keep the surface a manifold: the more of them, the rarer a pinch. They
   // know no error, so most of the triangles are left to those that do.
-  Mesh even = mesh;
-  for (const double more : {4.0, 3.0, 2.0, 1.5}) {
-    const double enough = std::max(more * triangles, mesh.F.rows() / 6.0);
-    if (even.F.rows() > enough) even = coarsened(even, int(enough / 2));
-    Mesh fewer = collapsed(even, triangles, error);
-    const Topology after = topology(fewer);
-    // Thin places pass through each other where their sides are thinned apart.
-    if (after.manifold() && after.euler == before.euler && after.components == before.components &&
-        untangle(fewer) == 0)
-      return fewer;
-  }
+  for (const double wanted : {1.0, 1.25, 1.5})
+    for (const double more : {4.0, 3.0, 2.0}) {
+      const double enough = std::max(more * triangles, mesh.F.rows() / 6.0);
+      const Mesh even = mesh.F.rows() > enough ? coarsened(mesh, int(enough / 2)) : mesh;
+      Mesh fewer = collapsed(even, int(wanted * triangles), error);
+      const Topology after = topology(fewer);
+      // Thin places pass through each other where their sides are thinned apart.
+      if (after.manifold() && after.euler == before.euler &&
+          after.components == before.components && untangle(fewer) == 0)
+        return fewer;
+    }
+  Mesh even = coarsened(mesh, int(std::max(1.5 * triangles, mesh.F.rows() / 6.0) / 2));
   untangle(even);
   return even;
 }

@@ -180,6 +180,42 @@ async function drop(page, name, bytes) {
   }, {name, data: bytes.toString('base64')});
 }
 
+test('two fingers pan and zoom, a tap of two undoes', async (t) => {
+  const context = await browser(t, {touch: true});
+  const editor = await open(context, site.url);
+  await openHero(editor);
+  const cdp = await context.newCDPSession(editor.page);
+  const fingers = async (type, points) => {
+    await cdp.send('Input.dispatchTouchEvent', {
+      type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
+    await editor.page.waitForTimeout(40);
+  };
+  const where = () => editor.page.evaluate(() => [[300, 300], [400, 300]].map(([x, y]) => {
+    const at = artisketch.project(0, x, y);
+    return [at.x, at.y];
+  }));
+  const [[x, y]] = await where();
+  const before = await where();
+  await fingers('touchStart', [[x - 40, y]]);
+  await fingers('touchStart', [[x - 40, y], [x + 40, y]]);
+  for (let i = 1; i <= 10; i++) await fingers('touchMove', [[x - 40 - 4 * i, y + 3 * i], [x + 40 + 4 * i, y + 3 * i]]);
+  await fingers('touchEnd', []);
+  const after = await where();
+  assert.ok(Math.abs(after[0][1] - before[0][1] - 30) < 3, `panned: ${before} → ${after}`);
+  const length = ([a, b]) => b[0] - a[0];
+  assert.ok(Math.abs(length(after) / length(before) - 2) < 0.1, `zoomed: ${before} → ${after}`);
+  assert.equal((await editor.state()).canUndo, false, 'fingers draw nothing');
+
+  await editor.click('Draw tool');
+  await editor.drag(0, Array.from({length: 41}, (_, i) => [
+    300 + 20 * Math.cos(i * Math.PI / 20), 300 + 20 * Math.sin(i * Math.PI / 20)]));
+  await editor.page.keyboard.press('Enter');
+  await editor.until((state) => state.canUndo);
+  await fingers('touchStart', [[x - 40, y], [x + 40, y]]);
+  await fingers('touchEnd', []);
+  await editor.until((state) => !state.canUndo);
+});
+
 test('a killed tab loses three seconds at most', async (t) => {
   const context = await browser(t);
   const editor = await open(context, site.url);
@@ -255,7 +291,9 @@ for (const [name, size] of Object.entries({
 test('the page is small', () => {
   const packed = (name) => brotliCompressSync(readFileSync(join(built, 'site', name))).length;
   const loaded = readdirSync(join(built, 'site')).filter((name) => name.includes('.'));
-  const all = [...loaded, 'examples/hero.artisketch', 'examples/hero.glb'].map(packed).reduce((a, b) => a + b);
+  const pictures = readdirSync(join(built, 'site/examples')).filter((name) => name.endsWith('.png'));
+  const examples = ['hero.artisketch', 'hero.glb', ...pictures].map((name) => `examples/${name}`);
+  const all = [...loaded, ...examples].map(packed).reduce((a, b) => a + b);
   assert.ok(all <= 1.5e6, `${all} bytes compressed`);
   const file = statSync(join(built, 'artisketch.html')).size;
   assert.ok(file <= 4e6, `${file} bytes in the single file`);
