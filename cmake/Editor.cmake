@@ -95,6 +95,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/sketch_paint.cpp
   src/editor/work.cpp
   src/editor/files.cpp
+  src/editor/drawings_in.cpp
   src/editor/exports.cpp
   src/editor/perform.cpp
   src/editor/layout.cpp
@@ -105,6 +106,8 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/tools.cpp
   src/editor/outline_tools.cpp
   src/editor/new_outline.cpp
+  src/editor/outline_commands.cpp
+  src/editor/outline_panel.cpp
   src/editor/trace_tool.cpp
   src/editor/skeleton_tools.cpp
   src/editor/pose_insets.cpp
@@ -114,6 +117,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/model_view.cpp
   src/editor/inspector.cpp
   src/editor/pose_panel.cpp
+  src/editor/skeleton_panel.cpp
   src/editor/export_sheet.cpp
   src/editor/strip.cpp
   src/editor/sheets.cpp

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "document/mend.h"
+
 namespace artisketch {
 
 // ---------------------------------------------------------------- names
@@ -93,6 +95,24 @@ Document with_pose(Document document, int frame, Pose pose) {
   return document;
 }
 
+Document with_camera_type(Document document, Camera::Type type) {
+  Camera& camera = document.camera;
+  if (camera.type == type) return document;
+  camera.type = type;
+  if (type == Camera::Type::orthographic) {
+    camera.pixels_per_unit = camera.focal_length / camera.distance;
+    return document;
+  }
+  Box3 box;
+  for (const Vec3& joint : rest_positions(document.skeleton)) box.extend(joint);
+  constexpr double kHeights = 4;
+  const double height = box.isEmpty() ? 1 : std::max(1e-3, box.sizes().maxCoeff());
+  camera.distance = kHeights * height;
+  camera.focal_length = camera.pixels_per_unit * camera.distance;
+  for (Frame& frame : document.frames) frame.scale = 1;
+  return document;
+}
+
 // ---------------------------------------------------------------- contours
 
 namespace {
@@ -132,6 +152,17 @@ Document with_contour_shifted(Document document, int frame, int contour, int by)
   contours.erase(contours.begin() + contour);
   contours.insert(contours.begin() + to, std::move(moved));
   return document;
+}
+
+std::optional<Document> with_contours_joined(const Document& document, int frame, int contour,
+                                             int other, double reach) {
+  const std::vector<Contour>& contours = document.frames.at(frame).contours;
+  if (contour == other) return std::nullopt;
+  std::optional<Polyline> line = joined(contours.at(contour).line, contours.at(other).line, reach);
+  if (!line) return std::nullopt;
+  Document next = document;
+  next.frames[frame].contours[contour].line = std::move(*line);
+  return without_contour(std::move(next), frame, other);
 }
 
 namespace {

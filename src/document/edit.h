@@ -39,6 +39,9 @@ Document without_frame(Document document, int frame);
 Document with_frame_moved(Document document, int frame, int to);
 Document with_frame_copied(Document document, int frame);  // right after it
 Document with_pose(Document document, int frame, Pose pose);
+// The other kind of camera, which shows what stands at depth 0 as large as before; a perspective one
+// stands four figures' heights away.
+Document with_camera_type(Document document, Camera::Type type);
 
 // A pose that shows the rest pose upright within the middle of the frame: its root position.
 Pose fitted_rest_pose(const Document& document, const Frame& frame);
@@ -51,6 +54,10 @@ Document with_contour_joint(Document document, int frame, int contour, int joint
 Document with_contour_points(Document document, int frame, int contour, std::vector<Vec2> points);
 // Behind or in front of its neighbour.
 Document with_contour_shifted(Document document, int frame, int contour, int by);
+// The first outline joined with the second (document/mend.h), which goes. Nothing where they can't
+// be.
+std::optional<Document> with_contours_joined(const Document& document, int frame, int contour,
+                                             int other, double reach);
 // A copy in another frame, as that frame's pose shows the joint.
 Document with_contour_copied(Document document, int frame, int contour, int to_frame);
 // The mirror image for the mirror joint, across the joint's own middle line in the drawing.

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "document/templates.h"
 #include "editor/work.h"
 
 namespace artisketch {
@@ -16,6 +17,10 @@ void open_files(Work& work, Result<std::vector<NamedBytes>> files);
 void open_document(Work& work, const NamedBytes& file);
 void open_example(Work& work, const std::string& name, bool greet);
 void new_document(Work& work);
+// A drawing at the end of the strip, a GIF's all; a sheet of several asks how to cut it.
+void add_drawing(Work& work, const NamedBytes& file);
+// Another skeleton, fitted to the drawing in view.
+void begin_with_template(Work& work, Template kind);
 void save(Work& work, bool ask_where, std::function<void()> then = {});
 // Where the platform has no dialogs: a path to type, for a document or a drawing.
 void ask_for_path(Work& work, const std::string& title, const std::string& words);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "document/edit.h"
+#include "editor/outline_commands.h"
 #include "editor/panels.h"
 
 namespace artisketch {
@@ -118,7 +119,7 @@ void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
   if (view.mode == Mode::pose) paint_fit_marks(work, place, on);
   if (layers.bones) {
     BonesLook look;
-    look.tapered = view.mode == Mode::pose;
+    look.tapered = view.mode == Mode::pose || view.mode == Mode::skeleton;
     look.chosen = view.mode == Mode::outline ? -1 : view.joint;
     if (work.proposal) {
       BonesLook other;
@@ -204,6 +205,30 @@ void foot(Work& work, const Layout& layout) {
   command_icon(work, Command::zoom_out, row.cut_right(28).middle(28, 28));
 }
 
+// Where an outline crosses itself, with what puts it right.
+void crossing_chips(Work& work, const Rect& place) {
+  const Theme& t = theme();
+  const OnScreen on{work.view.origin, work.view.zoom};
+  int wanted = -2;
+  for (const CrossingMark& mark : crossing_marks(work)) {
+    const ImVec2 at = on.of(mark.at);
+    draw().AddCircle(at, 9, t.error, 0, 2);
+    constexpr const char* kWords = "Crosses itself";
+    const float words = text_width(Font::caption, kWords);
+    Rect chip{at.x + 16, at.y - 16, words + 84, 32};
+    if (chip.right() > place.right()) chip.x = at.x - 16 - chip.w;
+    shadow(chip, kRadius);
+    draw().AddRectFilled(chip.min(), chip.max(), t.raised, kRadius);
+    Rect row = chip.inset(10, 4);
+    write(row.cut_left(words + 10), Font::caption, t.error, kWords);
+    Look look;
+    look.id = mark.contour < 0 ? "Mend new" : "Mend " + std::to_string(mark.contour + 1);
+    look.hint = words_of(Command::mend).hint;
+    if (button("Mend", row, look)) wanted = mark.contour;
+  }
+  if (wanted >= -1) mend(work, wanted);
+}
+
 // The blank page: what to do first.
 void invitation(Work& work, const Rect& place) {
   const Theme& t = theme();
@@ -242,6 +267,8 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio) {
   draw().PushClipRect(place.min(), place.max(), true);
   paint_sketch(work, place, pixel_ratio);
   if (work.view.mode == Mode::pose) pose_insets(work, layout, pixel_ratio);
+  // Before the tool, whose place the marks' buttons lie in.
+  if (work.view.mode == Mode::outline) crossing_chips(work, place);
   use_tool(work, place, {work.view.origin, work.view.zoom});
   draw().PopClipRect();
   head(work, layout);

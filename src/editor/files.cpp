@@ -16,10 +16,6 @@ bool ends_with(const std::string& text, const char* ending) {
          text.compare(text.size() - tail.size(), tail.size(), tail) == 0;
 }
 
-std::string without_ending(const std::string& name) {
-  return name.substr(0, name.rfind('.'));
-}
-
 // Starts afresh with a document; what is looked at begins anew, how stays.
 void start_with(Work& work, Document document) {
   if (work.jobs.busy()) work.jobs.cancel();
@@ -50,59 +46,8 @@ Document blank_document() {
   Document document;
   document.name = "Untitled";
   document.camera.pixels_per_unit = 300;
-  struct Bone {
-    const char *name, *parent;
-    Vec3 offset;
-    const char* mirror;
-  };
-  const Bone bones[] = {{"hips", "", {0, 0.9, 0}, "hips"},
-                        {"chest", "hips", {0, 0.25, 0}, "chest"},
-                        {"head", "chest", {0, 0.35, 0}, "head"},
-                        {"head_tip", "head", {0, 0.3, 0}, "head_tip"},
-                        {"upper_arm.L", "chest", {0.2, 0.25, 0}, "upper_arm.R"},
-                        {"forearm.L", "upper_arm.L", {0.28, 0, 0}, "forearm.R"},
-                        {"hand.L", "forearm.L", {0.25, 0, 0}, "hand.R"},
-                        {"hand_tip.L", "hand.L", {0.15, 0, 0}, "hand_tip.R"},
-                        {"upper_arm.R", "chest", {-0.2, 0.25, 0}, "upper_arm.L"},
-                        {"forearm.R", "upper_arm.R", {-0.28, 0, 0}, "forearm.L"},
-                        {"hand.R", "forearm.R", {-0.25, 0, 0}, "hand.L"},
-                        {"hand_tip.R", "hand.R", {-0.15, 0, 0}, "hand_tip.L"},
-                        {"thigh.L", "hips", {0.1, -0.05, 0}, "thigh.R"},
-                        {"shin.L", "thigh.L", {0, -0.4, 0}, "shin.R"},
-                        {"foot.L", "shin.L", {0, -0.38, 0}, "foot.R"},
-                        {"foot_tip.L", "foot.L", {0, -0.03, 0.16}, "foot_tip.R"},
-                        {"thigh.R", "hips", {-0.1, -0.05, 0}, "thigh.L"},
-                        {"shin.R", "thigh.R", {0, -0.4, 0}, "shin.L"},
-                        {"foot.R", "shin.R", {0, -0.38, 0}, "foot.L"},
-                        {"foot_tip.R", "foot.R", {0, -0.03, 0.16}, "foot_tip.L"}};
-  Skeleton& skeleton = document.skeleton;
-  for (const Bone& bone : bones)
-    skeleton.joints.push_back({bone.name, skeleton.find(bone.parent), bone.offset, -1, ""});
-  for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
-    skeleton.joints[j].mirror = skeleton.find(bones[j].mirror);
+  document.skeleton = template_skeleton(Template::human);
   return document;
-}
-
-void add_drawing(Work& work, const NamedBytes& file) {
-  Result<std::string> key = work.drawings.add(file.bytes, file.name);
-  if (!key) return complain(work, key.error());
-  Frame frame;
-  frame.name = without_ending(file.name);
-  frame.image = *key;
-  const Drawing& drawing = *work.drawings.of(frame);
-  frame.width = drawing.image.width;
-  frame.height = drawing.image.height;
-  Document next = work.document();
-  // The first drawing sets the scale: the figure stands as tall as most of the sheet.
-  if (next.frames.empty() && next.camera.type == Camera::Type::orthographic) {
-    Box3 box;
-    for (const Vec3& joint : rest_positions(next.skeleton)) box.extend(joint);
-    if (!box.isEmpty() && box.sizes().y() > 1e-9)
-      next.camera.pixels_per_unit = 0.8 * frame.height / box.sizes().y();
-  }
-  work.commit("Add " + frame.name, with_frame(std::move(next), std::move(frame)));
-  work.view.frame = int(work.document().frames.size()) - 1;
-  work.view.fit = true;
 }
 
 }  // namespace

@@ -1,7 +1,18 @@
 #include "document/edit.h"
+#include "document/templates.h"
+#include "editor/new_outline.h"
 #include "editor/panels.h"
 
 namespace artisketch {
+void part_name(Rect row, const std::string& name, bool chosen) {
+  const JointWords words = joint_words(name);
+  const Font face = chosen ? Font::body_bold : Font::body;
+  write(row.cut_left(std::min(row.w, text_width(face, words.name) + 1)), face, theme().text,
+        words.name);
+  row.cut_left(5);
+  if (!words.side.empty()) write(row, Font::small, theme().muted, words.side);
+}
+
 namespace {
 
 // A part's colour: a disc where it is outlined, a ring where it is missing, with a triangle where
@@ -35,6 +46,7 @@ std::string fit_in_words(const Work& work, int joint, int frame) {
 }
 
 void choose(Work& work, int joint, int frame) {
+  if (work.view.picking_joint && work.has_frame()) return reassign(work, joint);
   work.view.joint = joint;
   work.view.frame = frame;
   work.view.contour = -1;
@@ -60,15 +72,6 @@ void legend(Rect row) {
                            {row.x + 9.5f, row.centre().y + 4}, t.warning);
   row.cut_left(14);
   entry("does not fit");
-}
-
-void part_name(Rect row, const std::string& name, bool chosen) {
-  const JointWords words = joint_words(name);
-  const Font face = chosen ? Font::body_bold : Font::body;
-  write(row.cut_left(std::min(row.w, text_width(face, words.name) + 1)), face, theme().text,
-        words.name);
-  row.cut_left(5);
-  if (!words.side.empty()) write(row, Font::small, theme().muted, words.side);
 }
 
 // Parts by drawings: what is outlined, missing, off; a click goes there.
@@ -122,34 +125,6 @@ void matrix(Work& work, Rect& place) {
       if (there.hovered) tooltip(fit_in_words(work, joint, f), "");
       if (there.clicked) choose(work, joint, f);
     }
-  }
-}
-
-void new_outline(Work& work, Rect& place) {
-  const Theme& t = theme();
-  NewOutline& fresh = *work.outline;
-  Rect row = place.cut_top(28).inset(16, 0);
-  const std::string about = std::string(fresh.line.closed ? "closed, " : "open, ") +
-                            std::to_string(fresh.line.points.size()) + " points";
-  write(row.cut_right(text_width(Font::caption, about) + 1), Font::caption, t.muted, about);
-  write(row, Font::title, t.text, "New outline");
-  place.cut_top(6);
-  for (int i = 0; i < int(fresh.joints.size()); ++i) {
-    const Rect card = place.cut_top(44).inset(12, 0);
-    place.cut_top(8);
-    const int joint = fresh.joints[std::size_t(i)];
-    const std::string name = work.document().skeleton.joints[joint].name;
-    const bool on = i == fresh.choice;
-    const Press press = press_area("Assign " + joint_words(name).whole(), card, true, on);
-    if (on || press.hovered)
-      draw().AddRectFilled(card.min(), card.max(), on ? t.selection : t.control, kRadius);
-    if (on) draw().AddRect(card.min(), card.max(), t.accent, kRadius, 0, 1.5f);
-    draw().AddCircleFilled({card.x + 18, card.centre().y}, 7, joint_tint(joint));
-    if (on) key_cap({card.right() - 48, card.y + 6, 40, 18}, "Enter");
-    part_name({card.x + 34, card.y + 4, card.w - 84, 18}, name, true);
-    write({card.x + 34, card.y + 22, card.w - 40, 18}, Font::caption, t.muted,
-          fresh.reasons[std::size_t(i)]);
-    if (press.clicked) fresh.choice = i;
   }
 }
 
@@ -219,19 +194,16 @@ void parts_panel(Work& work, Rect place) {
         std::to_string(outlined) + " of " + std::to_string(parts.size() * document.frames.size()) +
             " outlined");
   if (parts.empty()) {
-    write_lines(place.inset(16, 0), Font::body, t.muted,
-                "Parts appear here with the skeleton's joints.", 20);
-    return;
-  }
-  matrix(work, place);
-  place.cut_top(10);
-  legend(place.cut_top(20).inset(16, 0));
-  place.cut_top(14);
-  if (work.outline) {
-    hairline({place.x + 16, place.y}, {place.right() - 16, place.y + 1});
+    place.cut_top(write_lines(place.inset(16, 0), Font::body, t.muted,
+                              "Parts appear here with the skeleton's joints.", 20) +
+                  14);
+  } else {
+    matrix(work, place);
     place.cut_top(10);
-    new_outline(work, place);
+    legend(place.cut_top(20).inset(16, 0));
+    place.cut_top(14);
   }
+  outline_panel(work, place);
 }
 
 void inspector(Work& work, const Layout& layout) {
@@ -242,6 +214,8 @@ void inspector(Work& work, const Layout& layout) {
              {layout.inspector.right(), layout.inspector.y + 1});
     if (work.view.exporting)
       export_sheet(work, layout.inspector);
+    else if (work.view.mode == Mode::skeleton)
+      template_cards(work, layout.inspector.inset(12, 14), int(all_templates().size()));
     else
       part_chips(work, layout.inspector);
     return;
@@ -250,6 +224,8 @@ void inspector(Work& work, const Layout& layout) {
            {layout.inspector.x + 1, layout.inspector.bottom()});
   if (work.view.exporting)
     export_sheet(work, layout.inspector);
+  else if (work.view.mode == Mode::skeleton)
+    skeleton_panel(work, layout.inspector);
   else if (work.view.mode == Mode::pose)
     pose_panel(work, layout.inspector);
   else

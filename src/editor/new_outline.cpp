@@ -81,7 +81,8 @@ void reassign(Work& work, int joint) {
 
 bool picks_joint(Work& work, const Pointer& p, const OnScreen& on) {
   const bool wanted = work.outline ? work.outline->frame == work.view.frame
-                                   : work.view.contour >= 0 && work.view.picking_joint;
+                                   : work.view.contour >= 0 && (work.view.picking_joint ||
+                                                                work.view.tool() == Tool::edit);
   if (!wanted || work.document().skeleton.joints.empty()) return false;
   const std::vector<Transform> posed = posed_joints(work.document().skeleton, work.frame().pose);
   const FrameCamera camera = frame_camera(work.document(), work.view.frame);
@@ -89,6 +90,7 @@ bool picks_joint(Work& work, const Pointer& p, const OnScreen& on) {
   if (joint < 0 || !p.hovered) return false;
   const ImVec2 at = on.of(camera.project(posed[std::size_t(joint)].translation()));
   const int part = part_of(work.document(), joint);
+  if (!work.outline && !work.view.picking_joint && part == work.view.joint) return false;
   draw().AddCircle(at, kReach, theme().accent, 0, 2);
   if (!p.held) tooltip("Give it to " + part_words(work, part), "");
   if (!p.pressed) return false;

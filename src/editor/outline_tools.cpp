@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "document/edit.h"
+#include "document/mend.h"
 #include "editor/new_outline.h"
+#include "editor/outline_commands.h"
 #include "editor/tools.h"
 
 namespace artisketch {
@@ -66,24 +68,32 @@ std::vector<Vec2> dragged(const Polyline& line, const std::vector<Vec2>& from, i
 void edit_tool(Work& work, const Pointer& p, const OnScreen& on) {
   View& view = work.view;
   const bool chosen = view.contour >= 0;
+  view.point = -1;
   if (chosen) {
     const Contour& contour = work.frame().contours[std::size_t(view.contour)];
     const std::vector<int> ends = handles(contour.line, on);
     Polyline shown{{}, contour.line.closed};
     for (int i : ends) shown.points.push_back(contour.line.points[std::size_t(i)]);
     paint_points(shown, on, joint_tint(contour.joint), p.screen);
+    float best = kReach;
+    for (int i : ends) {
+      const float distance = apart(on.of(contour.line.points[std::size_t(i)]), p.screen);
+      if (p.hovered && distance < best) best = distance, view.point = i;
+    }
     if (p.pressed) {
       work.gesture = {};
-      float best = kReach;
-      for (int i : ends) {
-        const float distance = apart(on.of(contour.line.points[std::size_t(i)]), p.screen);
-        if (distance < best) best = distance, work.gesture.point = i;
-      }
+      work.gesture.point = view.point;
       work.gesture.contour = view.contour;
       work.gesture.from = p.at;
       work.gesture.points = contour.line.points;
+      const OnLine edge = nearest_on(contour.line, on, p.screen);
+      if (view.point < 0 && edge.distance < kReach && !p.double_clicked) {
+        // An edge bends where it is held.
+        work.gesture.point = int(edge.segment) + 1;
+        work.gesture.points.insert(work.gesture.points.begin() + work.gesture.point, p.at);
+      }
     }
-    if (p.double_clicked && work.gesture.point < 0) {
+    if (p.double_clicked && view.point < 0) {
       const OnLine place = nearest_on(contour.line, on, p.screen);
       if (place.distance < kReach) {
         std::vector<Vec2> points = contour.line.points;
@@ -105,7 +115,9 @@ void edit_tool(Work& work, const Pointer& p, const OnScreen& on) {
                                     dragged(line, work.gesture.points, work.gesture.point,
                                             p.at - work.gesture.from, reach)));
   } else if (p.pressed && work.gesture.point < 0) {
-    view.contour = contour_at(work, on, p.screen);
+    const int under = contour_at(work, on, p.screen);
+    if (view.joining && chosen && under >= 0) return join_with(work, under);
+    view.contour = under;
     view.joint = view.contour >= 0 ? work.frame().contours[std::size_t(view.contour)].joint : -1;
   }
 }
@@ -128,7 +140,17 @@ void draw_tool(Work& work, const Pointer& p, const OnScreen& on) {
   options.error = 0.4 / on.zoom;
   options.reach = kCloseReach / on.zoom;
   options.open = p.alt;
-  const View& view = work.view;
+  View& view = work.view;
+  if (view.redrawing && view.contour >= 0) {
+    view.redrawing = false;
+    const std::optional<Polyline> line = outline_of_stroke(stroke, options);
+    if (!line) return;
+    Document next = work.document();
+    Contour& chosen = next.frames[std::size_t(view.frame)].contours[std::size_t(view.contour)];
+    chosen.line = *line;
+    work.commit("Redraw " + part_words(work, chosen.joint), std::move(next));
+    return;
+  }
   if (view.contour >= 0 && stroke.size() > 2) {
     const Contour& chosen = work.frame().contours[std::size_t(view.contour)];
     const bool from = nearest_on(chosen.line, on, on.of(stroke.front())).distance < kCloseReach,
@@ -152,19 +174,45 @@ void draw_tool(Work& work, const Pointer& p, const OnScreen& on) {
   }
 }
 
+// A click sets a corner; dragging from it pulls the curve's tangent.
 void points_tool(Work& work, const Pointer& p, const OnScreen& on) {
-  std::vector<Vec2>& points = work.stroke;
+  std::vector<Vec2>&points = work.stroke, &handles = work.handles;
+  handles.resize(points.size(), Vec2::Zero());
   const bool closes = points.size() > 2 && apart(on.of(points.front()), p.screen) < kCloseReach;
-  if (p.pressed && !closes) points.push_back(p.at);
-  std::vector<Vec2> shown = points;
-  if (p.hovered && !points.empty()) shown.push_back(closes ? points.front() : p.at);
-  if (shown.size() > 1) paint_outline(draw(), {shown, false}, on, theme().accent, {});
+  if (p.pressed && !closes) {
+    if (points.empty() && work.outline) keep_outline(work);
+    points.push_back(p.at);
+    handles.push_back(Vec2::Zero());
+    work.gesture = {};
+    work.gesture.point = int(points.size()) - 1;
+  }
+  const int pulled = work.gesture.point;
+  if (p.dragging && pulled >= 0 && pulled < int(points.size()))
+    handles[std::size_t(pulled)] = p.at - points[std::size_t(pulled)];
+  if (ImGui::IsKeyPressed(ImGuiKey_Backspace) && !points.empty()) {
+    points.pop_back();
+    handles.pop_back();
+  }
+  std::vector<Vec2> shown = points, bent = handles;
+  if (p.hovered && !p.held && !points.empty()) {
+    shown.push_back(closes ? points.front() : p.at);
+    bent.push_back(closes ? handles.front() : Vec2::Zero());
+  }
+  if (shown.size() > 1)
+    paint_outline(draw(), curve_through(shown, bent, false), on, theme().accent, {});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (handles[i].isZero()) continue;
+    const ImVec2 a = on.of(points[i] - handles[i]), b = on.of(points[i] + handles[i]);
+    draw().AddLine(a, b, theme().accent, 1);
+    draw().AddCircleFilled(a, 3, theme().accent);
+    draw().AddCircleFilled(b, 3, theme().accent);
+  }
   paint_points({points, false}, on, theme().accent, p.screen);
   if (closes) draw().AddCircle(on.of(points.front()), kCloseReach, theme().accent, 0, 1.5f);
   const bool enter = ImGui::IsKeyPressed(ImGuiKey_Enter, false) && points.size() > 2;
   if ((p.pressed && closes) || enter) {
     NewOutline fresh;
-    fresh.line = {std::move(points), true};
+    fresh.line = curve_through(points, handles, true);
     points.clear();
     propose(work, std::move(fresh));
   }

@@ -17,6 +17,11 @@ void inspector(Work& work, const Layout& layout);
 void parts_panel(Work& work, Rect place);  // Outline: which part is outlined where
 // How far a joint's own bone leans out of the paper: "50° away".
 std::string lean_words(const Work& work, int joint);
+// A joint's name as people read it, its side smaller.
+void part_name(Rect row, const std::string& name, bool chosen);
+void outline_panel(Work& work, Rect place);
+void skeleton_panel(Work& work, Rect place);
+void template_cards(Work& work, Rect place, int columns);
 void pose_panel(Work& work, Rect place);  // Pose: the calibration's proposal
 void export_sheet(Work& work, const Rect& place);
 void drawing_strip(Work& work, const Layout& layout);

@@ -6,8 +6,11 @@
 
 #include "document/edit.h"
 #include "document/posing.h"
+#include "document/skeleton_edit.h"
 #include "editor/actions.h"
 #include "editor/live.h"
+#include "editor/outline_commands.h"
+#include "editor/panels.h"
 #include "editor/pointer.h"
 #include "files/document_file.h"
 
@@ -15,7 +18,6 @@ namespace artisketch {
 
 bool available(const Work& work, Command command) {
   const View& view = work.view;
-  const bool outline = view.mode == Mode::outline && view.contour >= 0 && work.has_frame();
   switch (command) {
     case Command::undo:
       return work.history.can_undo() && !view.welcome;
@@ -39,19 +41,21 @@ bool available(const Work& work, Command command) {
     case Command::zoom_out:
       return work.has_frame();
     case Command::behind:
-      return outline && view.contour > 0;
     case Command::in_front:
-      return outline && view.contour + 1 < int(work.frame().contours.size());
-    case Command::remove:
-      return outline;
     case Command::copy_to:
-      return outline && work.document().frames.size() > 1;
-    case Command::mirror: {
-      if (!outline) return false;
-      const int joint = work.frame().contours[std::size_t(view.contour)].joint;
-      const int mirror = work.document().skeleton.joints[std::size_t(joint)].mirror;
-      return mirror >= 0 && mirror != joint;
-    }
+    case Command::mirror:
+    case Command::redraw:
+    case Command::other_joint:
+    case Command::join:
+    case Command::mend:
+      return outline_available(work, command);
+    case Command::remove:
+      return outline_available(work, command) || (view.mode == Mode::skeleton && view.joint >= 0);
+    case Command::rename:
+      return view.mode == Mode::skeleton && view.joint >= 0;
+    case Command::both_sides:
+    case Command::equalise:
+      return view.mode == Mode::skeleton;
     case Command::flip:
       return view.mode == Mode::pose && view.joint > 0 && work.has_frame();
     case Command::lock:
@@ -94,6 +98,7 @@ void go_to_drawing(Work& work, int by) {
 
 void arm(Work& work, Tool tool) {
   work.view.tool() = tool;
+  work.view.picking_joint = work.view.joining = work.view.redrawing = false;
   work.stroke.clear();
 }
 
@@ -105,6 +110,8 @@ void step_back(Work& work) {
     work.outline.reset();
   } else if (!work.stroke.empty()) {
     work.stroke.clear();
+  } else if (view.picking_joint || view.joining || view.redrawing) {
+    view.picking_joint = view.joining = view.redrawing = false;
   } else if (view.exporting) {
     view.exporting = false;
   } else if (view.posed) {
@@ -123,30 +130,30 @@ void toggle_play(Work& work) {
   if (view.playing && !times.empty() && view.time >= times.back()) view.time = 0;
 }
 
-void edit_outline(Work& work, Command command) {
-  const int frame = work.view.frame, contour = work.view.contour;
-  const Document& document = work.document();
-  const int joint = work.frame().contours[std::size_t(contour)].joint;
-  const std::string name = joint_words(document.skeleton.joints[std::size_t(joint)].name).whole();
-  if (command == Command::remove) {
-    work.commit("Delete " + name, without_contour(document, frame, contour));
-    work.view.contour = -1;
-  } else if (command == Command::mirror) {
-    if (std::optional<Document> next = with_contour_mirrored(document, frame, contour)) {
-      work.commit("Mirror " + name, std::move(*next));
-      work.view.contour = int(work.frame().contours.size()) - 1;
-    }
-  } else if (command == Command::copy_to) {
-    const int to = (frame + 1) % int(document.frames.size());
-    work.commit("Copy " + name, with_contour_copied(document, frame, contour, to));
-    work.view.frame = to;
-    work.view.contour = int(work.frame().contours.size()) - 1;
-  } else {
-    const int by = command == Command::behind ? -1 : 1;
-    work.commit(name + (by < 0 ? " behind" : " in front"),
-                with_contour_shifted(document, frame, contour, by));
-    work.view.contour += by;
+void delete_joint(Work& work) {
+  const int joint = work.view.joint;
+  const std::string name = joint_words(work.document().skeleton.joints[joint].name).whole();
+  std::optional<Document> next = without_joint(work.document(), joint, work.view.both_sides);
+  if (!next) {
+    Toast toast;
+    toast.words = "All others hang on " + name + ". Delete those first.";
+    work.say(std::move(toast));
+    return;
   }
+  const std::string& above =
+      work.document()
+          .skeleton.joints[std::max(0, work.document().skeleton.joints[joint].parent)]
+          .name;
+  const int parent = next->skeleton.find(above);
+  work.commit("Delete " + name, std::move(*next));
+  work.view.joint = parent;
+}
+
+void equalise(Work& work) {
+  const int joint = work.view.joint;
+  const std::string whose =
+      joint < 0 ? "pairs" : joint_words(work.document().skeleton.joints[joint].name).name;
+  work.commit("Equalise " + whose, with_pair_lengths_equal(work.document(), joint));
 }
 
 void add_blank_drawing(Work& work) {
@@ -309,8 +316,26 @@ void perform(Work& work, Command command) {
     case Command::copy_to:
     case Command::behind:
     case Command::in_front:
+    case Command::redraw:
+    case Command::other_joint:
+    case Command::join:
+    case Command::mend:
+      outline_command(work, command);
+      break;
     case Command::remove:
-      edit_outline(work, command);
+      if (view.mode == Mode::skeleton)
+        delete_joint(work);
+      else
+        outline_command(work, command);
+      break;
+    case Command::both_sides:
+      view.both_sides = !view.both_sides;
+      break;
+    case Command::equalise:
+      equalise(work);
+      break;
+    case Command::rename:
+      work.naming.begin = true;
       break;
     case Command::flip: {
       const Skeleton& skeleton = work.document().skeleton;

@@ -258,7 +258,10 @@ void status_line(const Work& work, const Layout& layout) {
         break;
       case Mode::skeleton:
         where = "Skeleton";
-        what = "Drag a joint to where it belongs; every drawing follows.";
+        what = view.joint >= 0
+                   ? "Click beside the joint to add the next one, or drag it.  F2 names, "
+                     "Delete removes, Esc lets go."
+                   : "Drag joints to where they belong; every drawing follows.";
         break;
       case Mode::pose:
         where = view.tool() == Tool::twist ? "Twist" : view.tool() == Tool::turn ? "Turn" : "Pose";

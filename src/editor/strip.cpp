@@ -40,24 +40,73 @@ Count count(const Work& work, int frame) {
   return c;
 }
 
-void drawing_menu(Work& work, int f) {
+// Duplicate, move, remove: on a right click, or a press that lasts.
+void drawing_menu(Work& work, int f, const Press& press) {
+  constexpr float kLong = 0.5f;  // seconds
+  const ImGuiIO& io = ImGui::GetIO();
+  if (press.held && io.MouseDownDuration[0] > kLong && !work.view.moving_drawing &&
+      !ImGui::IsMouseDragging(ImGuiMouseButton_Left))
+    ImGui::OpenPopup(ImGui::GetItemID());
   if (!ImGui::BeginPopupContextItem()) return;
   const Document& document = work.document();
   const auto item = [](const char* label, bool enabled) {
-    record(label, {ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y, 120, 20}, enabled);
-    return ImGui::MenuItem(label, nullptr, false, enabled);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    record(label, {at.x, at.y, ImGui::CalcTextSize(label).x + 20, ImGui::GetTextLineHeight()},
+           enabled);
+    return ImGui::MenuItem(("  " + std::string(label) + "  ").c_str(), nullptr, false, enabled);
+  };
+  const auto move_to = [&](int to) {
+    work.commit("Move drawing", with_frame_moved(document, f, to));
+    work.view.frame = to;
   };
   ImGui::Dummy({0, 2});
-  if (item("  Duplicate drawing  ", true))
+  if (item("Duplicate drawing", true)) {
     work.commit("Duplicate drawing", with_frame_copied(document, f));
-  else if (item("  Move left  ", f > 0))
-    work.commit("Move drawing", with_frame_moved(document, f, f - 1));
-  else if (item("  Move right  ", f + 1 < int(document.frames.size())))
-    work.commit("Move drawing", with_frame_moved(document, f, f + 1));
-  else if (item("  Remove drawing  ", document.frames.size() > 1))
+    work.view.frame = f + 1;
+  } else if (item("Move left", f > 0)) {
+    move_to(f - 1);
+  } else if (item("Move right", f + 1 < int(document.frames.size()))) {
+    move_to(f + 1);
+  } else if (item("Remove drawing", true)) {
     work.commit("Remove drawing", without_frame(document, f));
+    work.view.contour = -1;
+  }
   ImGui::Dummy({0, 2});
   ImGui::EndPopup();
+}
+
+// A card that is dragged goes where the line between two others shows.
+void move_drawing(Work& work, int f, const Rect& place, float step, const Press& press) {
+  std::optional<int>& moving = work.view.moving_drawing;
+  constexpr float kFar = 10;  // points
+  if (press.held && ImGui::IsMouseDragging(ImGuiMouseButton_Left, kFar)) moving = f;
+  if (moving != f) return;
+  const int frames = int(work.document().frames.size());
+  const float by = ImGui::GetIO().MousePos.x - place.centre().x;
+  const int to = std::clamp(f + int(std::lround(by / step)), 0, frames - 1);
+  if (press.held) {
+    const float x = place.x + float(to - f) * step + (to > f ? place.w + 4 : -4);
+    if (to != f)
+      draw().AddRectFilled({x - 1.5f, place.y}, {x + 1.5f, place.bottom()}, theme().accent, 1.5f);
+    return;
+  }
+  moving.reset();
+  if (to == f) return;
+  work.commit("Move drawing", with_frame_moved(work.document(), f, to));
+  work.view.frame = to;
+}
+
+// The document's one camera.
+void camera_choice(Work& work, Rect place, bool slim) {
+  const bool flat = work.document().camera.type == Camera::Type::orthographic;
+  if (!slim) write(place.cut_top(24), Font::caption, theme().muted, "Camera");
+  Look look;
+  look.hint = flat ? "Seen from afar: sizes don't change with depth. Click for perspective"
+                   : "Seen from near: what is closer is larger. Click for orthographic";
+  if (button(flat ? "Orthographic" : "Perspective", place.cut_top(30), look))
+    work.commit(flat ? "Perspective camera" : "Orthographic camera",
+                with_camera_type(work.document(),
+                                 flat ? Camera::Type::perspective : Camera::Type::orthographic));
 }
 
 void card(Work& work, int f, const Rect& place, bool slim, bool narrow) {
@@ -70,8 +119,9 @@ void card(Work& work, int f, const Rect& place, bool slim, bool narrow) {
     work.view.frame = f;
     work.view.contour = -1;
   }
-  drawing_menu(work, f);
+  drawing_menu(work, f, press);
   if (!work.has_frame() || f >= int(work.document().frames.size())) return;
+  move_drawing(work, f, place, place.w + 8, press);
   draw().AddRectFilled(place.min(), place.max(),
                        on              ? t.selection
                        : press.hovered ? t.hover
@@ -128,7 +178,8 @@ void drawing_strip(Work& work, const Layout& layout) {
   // Many drawings scroll with the wheel.
   float& scroll = work.view.strip_scroll;
   const float add = layout.tablet ? 92 : 104;
-  const float needed = (width + 8) * float(frames) + add;
+  constexpr float kCamera = 130;
+  const float needed = (width + 8) * float(frames) + add + 20 + kCamera;
   if (ImGui::IsWindowHovered()) scroll -= 60 * ImGui::GetIO().MouseWheel;
   scroll = std::clamp(scroll, 0.0f, std::max(0.0f, needed - row.w));
   row.x -= scroll;
@@ -148,6 +199,8 @@ void drawing_strip(Work& work, const Layout& layout) {
     write({more.x, more.centre().y + 4, more.w, 18}, Font::caption, t.muted, "Add drawing",
           Align::centre);
   if (press.clicked) work.ask(Command::add_drawings);
+  const float tall = slim ? 30 : 54;
+  camera_choice(work, {more.right() + 20, row.y + (row.h - tall) / 2, kCamera, tall}, slim);
 }
 
 namespace {

@@ -18,7 +18,11 @@ std::vector<Entry> tools_of(Mode mode) {
               {Command::copy_to, std::nullopt},     {Command::behind, std::nullopt},
               {Command::remove, std::nullopt}};
     case Mode::skeleton:
-      return {{Command::tool_edit, Tool::edit}};
+      return {{Command::tool_edit, Tool::edit},
+              {Command::both_sides, std::nullopt},
+              {Command::equalise, std::nullopt},
+              {Command::rename, std::nullopt},
+              {Command::remove, std::nullopt}};
     case Mode::pose:
       return {{Command::tool_pose, Tool::pose},   {Command::tool_turn, Tool::turn},
               {Command::tool_twist, Tool::twist}, {Command::flip, std::nullopt},
@@ -61,7 +65,8 @@ void tool_rail(Work& work, const Layout& layout) {
     Look look;
     look.icon = about.icon;
     look.quiet = true;
-    look.on = entry.tool && work.view.tool() == *entry.tool;
+    look.on = (entry.tool && work.view.tool() == *entry.tool) ||
+              (entry.command == Command::both_sides && work.view.both_sides);
     look.hint = about.hint ? about.hint : about.name;
     look.key = key_words(about, work.platform.mac_keys());
     look.enabled = available(work, entry.command);

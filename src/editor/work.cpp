@@ -133,6 +133,12 @@ bool Work::changing_pose() const {
 }
 
 Pose Work::drawn_pose() const {
+  if (view.mode == Mode::skeleton) {
+    // The rest pose, as the body stands in this drawing.
+    Pose rest = frame().pose;
+    for (std::size_t j = 1; j < rest.rotations.size(); ++j) rest.rotations[j].setIdentity();
+    return rest;
+  }
   const Pose& mine = frame().pose;
   if (!proposal || proposal->shown == proposal->peeking) return mine;
   const Pose& theirs = proposal->document.frames[std::size_t(view.frame)].pose;

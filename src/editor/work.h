@@ -112,6 +112,11 @@ struct View {
   int contour = -1;  // chosen outline of the frame, −1: none
 
   double tolerance = kUsualTolerance;  // of Trace, as it was used last
+  bool both_sides = true;              // Skeleton: what is done to one side is done to the other
+  std::optional<int> moving_drawing;   // dragged along the strip
+  int point = -1;                      // the chosen outline's, under the pointer
+  bool redrawing = false;              // the next outline takes the place of the chosen one
+  bool joining = false;                // the next outline that is clicked is joined to it
   bool picking_joint = false;          // the next joint that is clicked gets the chosen outline
 
   bool fit = true;  // the drawing fills the canvas
@@ -147,6 +152,13 @@ struct Toast {
   std::function<void()> act, other_act;
   bool error = false;  // stays until it is dismissed
   double since = -1;   // set when it is shown first
+};
+
+// A joint's name while it is typed.
+struct Naming {
+  int joint = -1;
+  std::string of, typed;  // the name that it has, and the words that it gets
+  bool begin = false;     // the keyboard goes there
 };
 
 // What must be answered before work goes on; Esc is the last answer.
@@ -203,11 +215,22 @@ struct Work {
   std::optional<Proposal> proposal;
   std::optional<NewOutline> outline;
   Gesture gesture;
+  Naming naming;
   Fingers fingers;
   int model_joint = -1;      // of the result, while it is dragged
   std::vector<Vec2> stroke;  // under the pointer, in the sketch's pixels
   JobRequest::Kind running = JobRequest::Kind::reconstruct;
   long running_revision = -1;
+
+  struct Crossings {
+    long revision = -1;
+    double edits = -1;  // when the document changed last
+    int frame = -1;
+    std::vector<std::optional<Vec2>> at;  // by contour
+  };
+  mutable Crossings crossings;
+
+  std::vector<Vec2> handles;  // of the stroke's points, where it is made point by point
 
   View view;
   // The model over the drawing, from all sides, and beside the drawing.

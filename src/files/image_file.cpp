@@ -28,6 +28,7 @@ unsigned char* compressed(unsigned char* data, int size, int* out_size, int qual
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
+#define STBI_ONLY_GIF
 #define STBI_NO_STDIO
 #define STBI_NO_LINEAR
 #define STBI_FAILURE_USERMSG
@@ -64,26 +65,97 @@ Result<std::string> image_bytes(const std::string& image, const std::string& doc
 
 }  // namespace
 
+namespace {
+
+using StbBytes = std::unique_ptr<stbi_uc, void (*)(void*)>;
+
+Error unreadable(const std::string& name, const std::string& why) {
+  return bad_input(name + ": " + why + "; save it again as PNG or JPEG");
+}
+
+// The size of an image that can be read; `pictures` of it are wanted.
+struct Sides {
+  int width = 0, height = 0;
+};
+Result<Sides> sides_of(std::string_view bytes, const std::string& name, long long pictures) {
+  if (bytes.size() > std::size_t(INT32_MAX)) return unreadable(name, "is larger than 2 GB");
+  Sides sides;
+  int channels = 0;
+  if (!stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), int(bytes.size()),
+                             &sides.width, &sides.height, &channels))
+    return unreadable(name, "is no PNG or JPEG image");
+  if (sides.width > kLargestSide || sides.height > kLargestSide ||
+      pictures * sides.width * sides.height > kMostPixels)
+    return unreadable(name, "has " + size_words(sides.width, sides.height) +
+                                " pixels, too many (16384 a side, 100 million in "
+                                "all): make it smaller");
+  return sides;
+}
+
+// Pictures in a GIF, at most: its blocks are walked without decoding them.
+long long gif_pictures(std::string_view bytes) {
+  const auto byte = [&](std::size_t i) { return i < bytes.size() ? std::uint8_t(bytes[i]) : 0; };
+  const auto table = [](int flags) { return flags & 0x80 ? 3u << ((flags & 7) + 1) : 0u; };
+  long long pictures = 0;
+  std::size_t at = 13 + table(byte(10));
+  while (at < bytes.size()) {
+    const int kind = byte(at);
+    if (kind == 0x2C) {  // a picture
+      ++pictures;
+      at += 11 + table(byte(at + 9));
+    } else if (kind == 0x21) {  // an extension
+      at += 2;
+    } else {
+      break;
+    }
+    while (byte(at)) at += 1 + std::size_t(byte(at));
+    ++at;
+  }
+  return std::max(1LL, pictures);
+}
+
+}  // namespace
+
 Result<Image> decode_image(std::string_view bytes, const std::string& name) {
-  const auto bad = [&](const std::string& why) {
-    return bad_input(name + ": " + why + "; save it again as PNG or JPEG");
-  };
-  if (bytes.size() > std::size_t(INT32_MAX)) return bad("is larger than 2 GB");
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const int size = int(bytes.size());
+  const Result<Sides> sides = sides_of(bytes, name, 1);
+  if (!sides) return sides.error();
   int width = 0, height = 0, channels = 0;
-  if (!stbi_info_from_memory(data, size, &width, &height, &channels))
-    return bad("is no PNG or JPEG image");
-  if (width > kLargestSide || height > kLargestSide || (long long)(width)*height > kMostPixels)
-    return bad("has " + size_words(width, height) +
-               " pixels, too many (16384 a side, 100 million in "
-               "all): make it smaller");
-  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-      stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
-  if (!pixels) return bad("is damaged (" + std::string(stbi_failure_reason()) + ")");
+  const StbBytes pixels(stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
+                                              int(bytes.size()), &width, &height, &channels, 4),
+                        stbi_image_free);
+  if (!pixels) return unreadable(name, "is damaged (" + std::string(stbi_failure_reason()) + ")");
   Image image(width, height);
   std::copy_n(pixels.get(), image.rgba.size(), image.rgba.begin());
   return image;
+}
+
+bool is_gif(std::string_view bytes) {
+  return bytes.substr(0, 4) == "GIF8";
+}
+
+Result<std::vector<Image>> decode_images(std::string_view bytes, const std::string& name) {
+  if (!is_gif(bytes)) {
+    Result<Image> image = decode_image(bytes, name);
+    if (!image) return image.error();
+    return std::vector<Image>{std::move(*image)};
+  }
+  const Result<Sides> sides = sides_of(bytes, name, gif_pictures(bytes));
+  if (!sides) return sides.error();
+  int width = 0, height = 0, count = 0, channels = 0;
+  int* delays = nullptr;
+  const StbBytes pixels(
+      stbi_load_gif_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), int(bytes.size()),
+                                &delays, &width, &height, &count, &channels, 4),
+      stbi_image_free);
+  const StbBytes freed(reinterpret_cast<stbi_uc*>(delays), stbi_image_free);
+  if (!pixels || count < 1)
+    return unreadable(name, "is damaged (" + std::string(stbi_failure_reason()) + ")");
+  std::vector<Image> images;
+  for (int i = 0; i < count; ++i) {
+    Image& image = images.emplace_back(width, height);
+    std::copy_n(pixels.get() + i * image.rgba.size(), image.rgba.size(), image.rgba.begin());
+  }
+  return images;
 }
 
 std::string png_bytes(const Image& image) {

@@ -1,4 +1,4 @@
-// Images: PNG and JPEG in, PNG out.
+// Images: PNG, JPEG and GIF in, PNG out.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +25,10 @@ struct Image {
 // Fails on what is no PNG or JPEG, is damaged, or has more than 16384 pixels a side or 100 million
 // in all. `name` is used in the error only.
 Result<Image> decode_image(std::string_view bytes, const std::string& name);
+
+// The same for several: a GIF's frames as they are seen, one after the other; else the one image.
+Result<std::vector<Image>> decode_images(std::string_view bytes, const std::string& name);
+bool is_gif(std::string_view bytes);
 
 // The image must have pixels. Alpha is left out where all is opaque.
 std::string png_bytes(const Image& image);

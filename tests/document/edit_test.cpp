@@ -105,6 +105,31 @@ TEST(Strokes, ADotIsNoOutline) {
   EXPECT_FALSE(outline_of_stroke(dot, {}));
 }
 
+TEST(Frames, TheOtherCameraShowsDepthZeroAsLarge) {
+  const Document flat = figure();
+  const Document deep = with_camera_type(flat, Camera::Type::perspective);
+  const Vec3 hand(1.2, 0.3, 0);
+  EXPECT_LT((frame_camera(flat, 0).project(hand) - frame_camera(deep, 0).project(hand)).norm(),
+            1e-9);
+  EXPECT_TRUE(frame_camera(deep, 0).in_front({0, 0, 2}));
+  const Document back = with_camera_type(deep, Camera::Type::orthographic);
+  EXPECT_NEAR(back.camera.pixels_per_unit, flat.camera.pixels_per_unit, 1e-9);
+}
+
+TEST(Join, TheOtherOutlineGoes) {
+  Document document = figure();
+  document = with_contour(document, 0, {1, circle({100, 100}, 20), ""});
+  document = with_contour(document, 0, {2, circle({130, 100}, 20), ""});
+  document = with_contour(document, 0, {3, circle({300, 100}, 20), ""});
+  const auto joined = with_contours_joined(document, 0, 1, 0, 12);
+  ASSERT_TRUE(joined);
+  ASSERT_EQ(joined->frames[0].contours.size(), 2u);
+  EXPECT_EQ(joined->frames[0].contours[0].joint, 2);
+  EXPECT_GT(std::abs(signed_area(joined->frames[0].contours[0].line)), 1.5 * kPi * 400);
+  EXPECT_FALSE(with_contours_joined(document, 0, 0, 2, 12));
+  EXPECT_FALSE(with_contours_joined(document, 0, 0, 0, 12));
+}
+
 TEST(Cut, TheHalvesOverlapAndCoverTheWhole) {
   const Polyline whole = circle({100, 100}, 50);
   const auto halves = cut_outline(whole, {20, 101}, {180, 101}, 0.2);

@@ -50,6 +50,27 @@ TEST(ImageFile, PngComesBackPixelForPixel) {
   }
 }
 
+TEST(ImageFile, AllPicturesOfAGifAreRead) {
+  // 4 × 3 pixels, red, then blue.
+  const std::string gif = *from_base64(
+      "R0lGODlhBAADAPAAAP8AAAAAACH5BAAAAAAAIf8LTkVUU0NBUEUyLjADAQAAACwAAAAABAADAAACA4SPVgAh+QQAAAAA"
+      "ACwAAAAABAADAIAAAP8AAAACA4SPVgA7");
+  const Result<std::vector<Image>> read = decode_images(gif, "x");
+  ASSERT_TRUE(read) << read.error().text();
+  ASSERT_EQ(read->size(), 2u);
+  EXPECT_EQ((*read)[0].width, 4);
+  EXPECT_EQ((*read)[0].at(3, 2)[0], 255);
+  EXPECT_EQ((*read)[1].at(0, 0)[2], 255);
+  EXPECT_EQ((*read)[1].at(0, 0)[0], 0);
+  for (std::size_t size = 0; size < gif.size(); ++size) {
+    const auto part = decode_images(std::string_view(gif).substr(0, size), "x");
+    EXPECT_LE(part ? part->size() : 0, 2u) << size;
+  }
+  const Result<std::vector<Image>> one = decode_images(png_bytes(checks(5, 4, 255)), "x");
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->size(), 1u);
+}
+
 TEST(ImageFile, JpegIsRead) {
   const Result<Image> read = decode_image(red_jpeg(), "x");
   ASSERT_TRUE(read) << read.error().text();
