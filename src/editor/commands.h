@@ -55,6 +55,7 @@ enum class Command {
   tool_turn,
   lock,
   copy_pose,
+  suggest,
   reset,
 };
 

@@ -61,16 +61,19 @@ void paint_tag(const Work& work, const PartMarks& part, const Rect& place, const
 
 }  // namespace
 
-void paint_fit_marks(Work& work, const Rect& place, const OnScreen& on) {
+void paint_fit_marks(Work& work, const OnScreen& on) {
   const std::vector<PartMarks>& parts = marks_of_drawing(work);
+  for (const PartMarks& part : parts) paint_hairs(part.marks, on);
+  for (const PartMarks& part : parts) paint_edge(part.marks, on);
+}
+
+void paint_fit_tag(Work& work, const Rect& place, const OnScreen& on) {
   const PartMarks* longest = nullptr;
-  for (const PartMarks& part : parts) {
-    paint_hairs(part.marks, on);
+  for (const PartMarks& part : marks_of_drawing(work)) {
     if (fit_of(work, part.joint, work.view.frame) != Fit::off) continue;
     if (part.marks.stretch > 0 && (!longest || part.marks.stretch > longest->marks.stretch))
       longest = &part;
   }
-  for (const PartMarks& part : parts) paint_edge(part.marks, on);
   if (longest) paint_tag(work, *longest, place, on);
 }
 

@@ -9,6 +9,7 @@
 #include "editor/actions.h"
 #include "editor/live.h"
 #include "editor/pointer.h"
+#include "editor/tools.h"
 #include "files/document_file.h"
 
 namespace artisketch {
@@ -56,6 +57,8 @@ bool available(const Work& work, Command command) {
       return view.mode == Mode::pose && view.joint > 0 && work.has_frame();
     case Command::lock:
       return view.mode == Mode::pose && view.joint >= 0;
+    case Command::suggest:
+      return view.mode == Mode::pose && work.has_frame() && work.frame().contours.size() > 1;
     case Command::copy_pose:
       return view.mode == Mode::pose && work.document().frames.size() > 1;
     case Command::reset:
@@ -101,6 +104,8 @@ void step_back(Work& work) {
   View& view = work.view;
   if (work.busy()) {
     work.jobs.cancel();
+  } else if (work.bend.frame >= 0) {
+    work.bend = {};
   } else if (work.outline) {
     work.outline.reset();
   } else if (!work.stroke.empty()) {
@@ -323,6 +328,9 @@ void perform(Work& work, Command command) {
                   with_lock(work.document(), view.joint, !locked));
       break;
     }
+    case Command::suggest:
+      suggest_pose(work);
+      break;
     case Command::copy_pose:
       view.choosing_pose = true;
       break;

@@ -74,6 +74,14 @@ struct Proposal {
   long revision = -1;
 };
 
+// Which way a bone of a suggested pose leans: the two poses to choose from.
+struct Bend {
+  int frame = -1;  // that a pose was suggested for; −1: nothing to choose
+  long revision = -1;
+  int joint = -1;
+  Pose toward, away;
+};
+
 struct Layers {
   bool drawing = true, outlines = true, bones = true, model = false;
   float drawing_opacity = 0.85f, model_opacity = 1;
@@ -169,6 +177,7 @@ struct Work {
   Live live;
   std::optional<Proposal> proposal;
   std::optional<NewOutline> outline;
+  Bend bend;
   Gesture gesture;
   int model_joint = -1;      // of the result, while it is dragged
   std::vector<Vec2> stroke;  // under the pointer, in the sketch's pixels
