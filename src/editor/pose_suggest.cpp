@@ -100,8 +100,9 @@ void bend_chooser(Work& work, const Rect& canvas, float above) {
   draw().AddRectFilled(card.min(), card.max(), rgb(0x1F2227, 0.96f), kRadiusPanel);
   draw().AddRect(card.min(), card.max(), rgb(0x343940), kRadiusPanel);
   Rect column = card.inset(10, 8);
-  write(column.cut_top(20), Font::caption_bold, rgb(0xE8EAED),
-        part_words(work, start_of_bone(skeleton, joint)) + " bends");
+  Rect head = column.cut_top(20);
+  key_cap(head.cut_right(20), "F");
+  write(head, Font::caption_bold, rgb(0xE8EAED), "Bends which way?");
   column.cut_top(6);
   for (const bool toward : {true, false}) {
     const Rect half = toward ? column.cut_left(column.w / 2 - 3) : column.cut_right(column.w - 6);
@@ -115,8 +116,8 @@ void bend_chooser(Work& work, const Rect& canvas, float above) {
                          kRadius);
     if (on) draw().AddRect(half.min(), half.max(), rgb(0x4FD1B5), kRadius, 0, 1.5f);
     Rect inside = half;
-    write(inside.cut_bottom(22), on ? Font::caption_bold : Font::caption,
-          on ? rgb(0x4FD1B5) : rgb(0xA3A9B2), words, Align::centre);
+    write(inside.cut_bottom(22), Font::caption, on ? rgb(0x4FD1B5) : rgb(0xA3A9B2), words,
+          Align::centre);
     small_picture(work, toward ? bend.toward : bend.away, joint, inside);
     if (!press.clicked || on) continue;
     work.commit("Bend " + part_words(work, start_of_bone(skeleton, joint)) +
