@@ -111,6 +111,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/trace_tool.cpp
   src/editor/skeleton_tools.cpp
   src/editor/pose_insets.cpp
+  src/editor/pose_suggest.cpp
   src/editor/live.cpp
   src/editor/fit_paint.cpp
   src/editor/pose_tools.cpp

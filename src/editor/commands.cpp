@@ -78,6 +78,8 @@ constexpr CommandWords kCommands[] = {
     {Command::tool_turn, "Turn", icon::kRotate3d, ImGuiKey_A, false, false, "Turn the whole body"},
     {Command::lock, "Lock", icon::kLockOutline, ImGuiKey_L, false, false,
      "Calibration keeps this part's turn, or may change it again"},
+    {Command::suggest, "Suggest", icon::kAutoFix, ImGuiKey_S, false, false,
+     "Find a pose from the outlines"},
     {Command::copy_pose, "Copy", icon::kContentCopy, ImGuiKey_C, false, false,
      "Take the pose of another drawing"},
     {Command::reset, "Reset", icon::kBackupRestore},

@@ -63,6 +63,7 @@ enum class Command {
   tool_turn,
   lock,
   copy_pose,
+  suggest,
   reset,
 };
 

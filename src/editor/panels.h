@@ -37,7 +37,8 @@ void main_menu(Work& work, const Rect& button);
 void use_tool(Work& work, const Rect& place, const OnScreen& on);
 
 // Over the drawing in Pose: where the model's edge and the outlines part ways.
-void paint_fit_marks(Work& work, const Rect& place, const OnScreen& on);
+void paint_fit_marks(Work& work, const OnScreen& on);
+void paint_fit_tag(Work& work, const Rect& place, const OnScreen& on);  // the worst of them
 
 // Beside the body in Pose: the ball that turns it, its side view, the drawings to copy from.
 void pose_insets(Work& work, const Layout& layout, float pixel_ratio);

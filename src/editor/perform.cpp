@@ -12,6 +12,7 @@
 #include "editor/outline_commands.h"
 #include "editor/panels.h"
 #include "editor/pointer.h"
+#include "editor/tools.h"
 #include "files/document_file.h"
 
 namespace artisketch {
@@ -60,6 +61,8 @@ bool available(const Work& work, Command command) {
       return view.mode == Mode::pose && view.joint > 0 && work.has_frame();
     case Command::lock:
       return view.mode == Mode::pose && view.joint >= 0;
+    case Command::suggest:
+      return view.mode == Mode::pose && work.has_frame() && work.frame().contours.size() > 1;
     case Command::copy_pose:
       return view.mode == Mode::pose && work.document().frames.size() > 1;
     case Command::reset:
@@ -106,6 +109,8 @@ void step_back(Work& work) {
   View& view = work.view;
   if (work.busy()) {
     work.jobs.cancel();
+  } else if (work.bend.frame >= 0) {
+    work.bend = {};
   } else if (work.outline) {
     work.outline.reset();
   } else if (!work.stroke.empty()) {
@@ -351,6 +356,9 @@ void perform(Work& work, Command command) {
                   with_lock(work.document(), view.joint, !locked));
       break;
     }
+    case Command::suggest:
+      suggest_pose(work);
+      break;
     case Command::copy_pose:
       view.choosing_pose = true;
       break;

@@ -177,13 +177,15 @@ void pose_panel(Work& work, Rect place) {
     return;
   }
   Rect buttons = place.cut_top(36).inset(12, 0);
-  command_button(work, Command::calibrate, buttons.cut_left((buttons.w - 8) / 2));
+  command_button(work, Command::suggest, buttons.cut_left((buttons.w - 8) / 2));
   Look copy;
   copy.icon = icon::kContentCopy;
   copy.hint = words_of(Command::copy_pose).hint;
   copy.key = "C";
   copy.enabled = available(work, Command::copy_pose);
   if (button("Copy from", buttons.cut_right(buttons.w - 8), copy)) work.ask(Command::copy_pose);
+  place.cut_top(8);
+  command_button(work, Command::calibrate, place.cut_top(36).inset(12, 0));
   place.cut_top(14);
   const bool first = work.view.frame == 0 && !work.document().calibration.free_first_frame;
   const float used = write_lines(

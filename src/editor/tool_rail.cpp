@@ -26,8 +26,8 @@ std::vector<Entry> tools_of(Mode mode) {
     case Mode::pose:
       return {{Command::tool_pose, Tool::pose},   {Command::tool_turn, Tool::turn},
               {Command::tool_twist, Tool::twist}, {Command::flip, std::nullopt},
-              {Command::lock, std::nullopt},      {Command::copy_pose, std::nullopt},
-              {Command::reset, std::nullopt}};
+              {Command::lock, std::nullopt},      {Command::suggest, std::nullopt},
+              {Command::copy_pose, std::nullopt}, {Command::reset, std::nullopt}};
     case Mode::result:
       return {{Command::tool_pose, Tool::pose}, {Command::reset, std::nullopt}};
   }

@@ -24,6 +24,9 @@ void skeleton_tool(Work& work, const Pointer& p, const OnScreen& on);
 void record_joints(const Work& work, const OnScreen& on);
 void pose_tool(Work& work, const Pointer& p, const OnScreen& on);
 void twist_tool(Work& work, const Pointer& p, const OnScreen& on);
+// A pose from the outlines, and which way its bones lean to choose from.
+void suggest_pose(Work& work);
+void bend_chooser(Work& work, const Rect& canvas, float above);
 void turn_body(Work& work, const Quat& turn);
 void turn_tool(Work& work, const Pointer& p, const Rect& place);
 

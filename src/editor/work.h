@@ -79,6 +79,14 @@ struct Proposal {
   long revision = -1;
 };
 
+// Which way a bone of a suggested pose leans: the two poses to choose from.
+struct Bend {
+  int frame = -1;  // that a pose was suggested for; −1: nothing to choose
+  long revision = -1;
+  int joint = -1;
+  Pose toward, away;
+};
+
 struct Layers {
   bool drawing = true, outlines = true, bones = true, model = false;
   float drawing_opacity = 0.85f, model_opacity = 1;
@@ -214,6 +222,7 @@ struct Work {
   Live live;
   std::optional<Proposal> proposal;
   std::optional<NewOutline> outline;
+  Bend bend;
   Gesture gesture;
   Naming naming;
   Fingers fingers;

@@ -85,6 +85,25 @@ def changes_depth_from_the_side_and_copies():
     window.close()
 
 
+def suggests_and_asks_which_way():
+    window = in_pose()
+    window.click("Reset tool")
+    window.wait(lambda: window.state()["undo"] == "Reset pose", why="the rest pose")
+    window.picture("suggest-before")
+    hand = joint(window, "Hand R")
+    window.key("s")
+    window.wait(lambda: window.state()["undo"] == "Suggest pose", why="the suggestion")
+    assert not near(joint(window, "Hand R"), hand, 20), "the hand stayed"
+    way = window.control("Toward you")
+    window.picture("suggest")
+    window.click("Away" if way["active"] else "Toward you")
+    window.wait(lambda: window.state()["undo"].startswith("Bend "), why="the other way")
+    window.picture("suggest-other-way")
+    window.key("Escape")
+    window.wait(lambda: not any(w["label"] == "Away" for w in window.widgets()), why="Esc")
+    window.close()
+
+
 def shows_the_parts_and_where_they_miss():
     window = Window("1440x900", examples / "hero/hero.artisketch")
     window.wait(lambda: window.state()["liveParts"] == 15, why="the parts without a word")
@@ -106,4 +125,4 @@ def shows_the_parts_and_where_they_miss():
 
 
 run(drags_a_limb, turns_twists_flips_and_locks, changes_depth_from_the_side_and_copies,
-    shows_the_parts_and_where_they_miss)
+    suggests_and_asks_which_way, shows_the_parts_and_where_they_miss)
