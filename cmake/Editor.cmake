@@ -121,6 +121,8 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/skeleton_panel.cpp
   src/editor/export_sheet.cpp
   src/editor/strip.cpp
+  src/editor/timeline.cpp
+  src/editor/result_tools.cpp
   src/editor/sheets.cpp
   src/editor/welcome.cpp
   src/editor/editor.cpp

@@ -82,6 +82,15 @@ constexpr CommandWords kCommands[] = {
      "Find a pose from the outlines"},
     {Command::copy_pose, "Copy", icon::kContentCopy, ImGuiKey_C, false, false,
      "Take the pose of another drawing"},
+    {Command::tool_orbit, "Orbit", icon::kRotate3d, ImGuiKey_O, false, false, "Look around"},
+    {Command::tool_joints, "Joints", icon::kVectorCircleVariant, ImGuiKey_J, false, false,
+     "The spheres that join the parts: drag a rim or a middle"},
+    {Command::tool_fatness, "Fatness", icon::kArrowExpand, ImGuiKey_W, false, false,
+     "Drag a part sideways: thinner or fatter"},
+    {Command::set_key, "Set key", icon::kKeyVariant, ImGuiKey_I, false, false,
+     "Keep this pose at the playhead"},
+    {Command::new_clip, "New clip", icon::kPlus, ImGuiKey_None, false, false,
+     "An animation of your own, from this pose on"},
     {Command::reset, "Reset", icon::kBackupRestore},
 };
 

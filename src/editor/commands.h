@@ -64,6 +64,11 @@ enum class Command {
   lock,
   copy_pose,
   suggest,
+  tool_orbit,
+  tool_joints,
+  tool_fatness,
+  set_key,
+  new_clip,
   reset,
 };
 

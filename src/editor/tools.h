@@ -30,4 +30,14 @@ void bend_chooser(Work& work, const Rect& canvas, float above);
 void turn_body(Work& work, const Quat& turn);
 void turn_tool(Work& work, const Pointer& p, const Rect& place);
 
+// ---------------------------------------------------------------- result
+
+void set_key(Work& work);   // of the pose shown, at the playhead; in a clip of one's own
+void new_clip(Work& work);  // from the pose shown on
+void remove_key(Work& work);
+
+// What the chosen tool does with the pointer on the model as it stands; gives whether it has the
+// pointer, which else turns the view.
+bool use_result_tool(Work& work, const Eye& eye, const Pose& pose, const Vec3& shift);
+
 }  // namespace artisketch
