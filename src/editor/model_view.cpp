@@ -153,7 +153,7 @@ void foot(const Work& work, const Rect& band) {
   std::string words;
   bool good = true;
   if (work.view.mode == Mode::result && work.stale()) {
-    words = "The drawings have changed since.";
+    words = "Changed since the model was made.";
     good = false;
   } else if (work.view.mode == Mode::result) {
     words = std::to_string(built.model.mesh.F.rows()) + " triangles, " +

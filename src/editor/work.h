@@ -58,6 +58,7 @@ struct Live {
   std::vector<FrameFit> fits;
   long revision = -1;        // that they were made from
   bool of_proposal = false;  // what is under way: the proposal's fit rather than the parts
+  bool of_result = false;    // at the model's poses rather than the person's: for its fatness
   // Marks of the drawing shown last, and what they were made for.
   std::vector<PartMarks> marks;
   bool marks_stale = true;

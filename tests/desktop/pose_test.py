@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Posing, fit marks and the result, through the pointer."""
-import math
+import math, time
 
 from editor_window import Window, examples, run
 
@@ -183,6 +183,27 @@ def shapes_joints_and_fatness():
     window.close()
 
 
+def calibrates_compares_and_keeps():
+    window = in_pose()
+    before = joint(window, "Hand R")
+    window.key("shift+c")
+    window.wait(lambda: any(w["label"] == "Keep calibrated" for w in window.widgets()), 30,
+                "the proposal")
+    window.wait(lambda: not near(joint(window, "Hand R"), before, 1), why="the calibrated pose")
+    window.wait(lambda: "Measuring" not in str(window.widgets()) and not window.state()["busy"])
+    time.sleep(1)
+    window.picture("calibrated")
+    window.x("keydown", "space")
+    window.wait(lambda: near(joint(window, "Hand R"), before, 0.5), why="one's own pose")
+    window.x("keyup", "space")
+    window.wait(lambda: not near(joint(window, "Hand R"), before, 1), why="the calibrated one")
+    window.click("Take Hand R")
+    window.click("Keep calibrated")
+    window.wait(lambda: window.state()["undo"] == "Keep calibrated", why="the kept pose")
+    window.picture("calibrated-kept")
+    window.close()
+
+
 run(drags_a_limb, turns_twists_flips_and_locks, changes_depth_from_the_side_and_copies,
-    suggests_and_asks_which_way, shows_the_parts_and_where_they_miss, sets_keys_and_moves_them,
-    shapes_joints_and_fatness)
+    suggests_and_asks_which_way, calibrates_compares_and_keeps,
+    shows_the_parts_and_where_they_miss, sets_keys_and_moves_them, shapes_joints_and_fatness)
