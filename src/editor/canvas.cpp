@@ -124,7 +124,7 @@ void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
     if (work.proposal) {
       BonesLook other;
       other.faint = true;
-      const Pose& faint = work.proposal->shown != work.proposal->peeking
+      const Pose& faint = work.proposal->theirs()
                               ? frame.pose
                               : work.proposal->document.frames[std::size_t(view.frame)].pose;
       paint_bones(draw(), work.document().skeleton, faint, camera, on, other);

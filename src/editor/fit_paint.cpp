@@ -40,9 +40,16 @@ void paint_edge(const FitMarks& marks, const OnScreen& on) {
   }
 }
 
+// Of the pose as shown; pixels.
+double off_here(const Work& work, int joint) {
+  const bool theirs = work.proposal && work.proposal->theirs();
+  return theirs ? distance_in(work.proposal->fits, joint, work.view.frame)
+                : distance_of(work, joint, work.view.frame);
+}
+
 // What the longest stretch belongs to, and how far it is off, beside it.
 void paint_tag(const Work& work, const PartMarks& part, const Rect& place, const OnScreen& on) {
-  const double off = distance_of(work, part.joint, work.view.frame);
+  const double off = off_here(work, part.joint);
   const std::string words =
       part_words(work, part.joint) + " " + std::to_string(int(std::lround(off))) + " px off";
   const float width = text_width(Font::caption_bold, words) + 36, height = 26;
@@ -78,7 +85,7 @@ void paint_fit_tag(Work& work, const Rect& place, const OnScreen& on) {
   if (!tell(work)) return;
   const PartMarks* longest = nullptr;
   for (const PartMarks& part : marks_of_drawing(work)) {
-    if (fit_of(work, part.joint, work.view.frame) != Fit::off) continue;
+    if (off_here(work, part.joint) <= kOff) continue;
     if (part.marks.stretch > 0 && (!longest || part.marks.stretch > longest->marks.stretch))
       longest = &part;
   }

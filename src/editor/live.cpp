@@ -105,8 +105,14 @@ void take_parts(Work& work, Result<JobResult> outcome) {
     return;
   }
   if (live.of_proposal) {
-    if (work.proposal && work.proposal->revision == work.running_revision)
-      work.proposal->fits = std::move(outcome->fits);
+    if (!work.proposal || work.proposal->revision != work.running_revision) return;
+    Proposal& proposal = *work.proposal;
+    proposal.fits = std::move(outcome->fits);
+    proposal.parts = std::move(outcome->parts);
+    if (!proposal.parts.empty())
+      proposal.model = std::make_shared<Built>(
+          built_of(rigid_model(proposal.document, proposal.parts), proposal.document));
+    live.marks_stale = true;
     return;
   }
   live.revision = work.running_revision;
@@ -125,20 +131,22 @@ const std::vector<PartMarks>& marks_of_drawing(Work& work) {
   Live& live = work.live;
   const Pose pose = work.drawn_pose();
   const long revision = work.history.revision();
+  const bool theirs = work.proposal && work.proposal->theirs();
   const auto same_turn = [](const Quat& a, const Quat& b) { return a.coeffs() == b.coeffs(); };
-  if (!live.marks_stale && live.marks_revision == revision && live.marks_frame == work.view.frame &&
-      live.marks_pose.root_position == pose.root_position &&
+  if (!live.marks_stale && live.marks_theirs == theirs && live.marks_revision == revision &&
+      live.marks_frame == work.view.frame && live.marks_pose.root_position == pose.root_position &&
       std::equal(pose.rotations.begin(), pose.rotations.end(), live.marks_pose.rotations.begin(),
                  live.marks_pose.rotations.end(), same_turn))
     return live.marks;
   live.marks_stale = false;
   live.marks_revision = revision;
   live.marks_frame = work.view.frame;
+  live.marks_theirs = theirs;
   live.marks_pose = pose;
   live.marks.clear();
   const std::vector<Transform> motions = skinning_transforms(work.document().skeleton, pose);
   const FrameCamera camera = frame_camera(work.document(), work.view.frame);
-  for (const PartMesh& part : live.parts) {
+  for (const PartMesh& part : theirs ? work.proposal->parts : live.parts) {
     if (part.joint >= int(motions.size())) continue;
     FitMarks marks = fit_marks(part.mesh, motions[std::size_t(part.joint)], camera, work.frame(),
                                part.joint, kOff);

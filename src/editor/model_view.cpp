@@ -135,7 +135,7 @@ void head(Work& work, const Layout& layout) {
     std::snprintf(seconds, sizeof seconds, ", %.1f s", clip.times.empty() ? 0 : clip.times.back());
     about = view.posed ? "your pose" : clip.name + seconds;
   } else if (work.shows_parts()) {
-    about = "parts, your pose";
+    about = work.proposal && work.proposal->theirs() ? "parts, calibrated" : "parts, your pose";
   } else if (work.built && work.has_frame()) {
     about = "posed as in " + drawing_words(work.document(), view.frame);
   }

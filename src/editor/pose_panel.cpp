@@ -25,7 +25,7 @@ double farthest_off(const std::vector<FrameFit>& fits, int frame) {
 void proposal_card(Work& work, Rect& place) {
   const Theme& t = theme();
   Proposal& proposal = *work.proposal;
-  const Rect card = place.cut_top(174).inset(12, 0);
+  const Rect card = place.cut_top(180).inset(12, 0);
   draw().AddRectFilled(card.min(), card.max(), t.panel, kRadiusCard);
   draw().AddRect(card.min(), card.max(), t.accent, kRadiusCard, 0, 1.5f);
   Rect column = card.inset(12);
@@ -48,7 +48,7 @@ void proposal_card(Work& work, Rect& place) {
                                         : "Largest turn: " + part_words(work, most) + ", " +
                                               std::to_string(int(std::lround(angle))) + "°";
   write(column.cut_top(18), Font::caption, t.muted, words);
-  column.cut_top(4);
+  column.cut_top(10);
   std::vector<std::pair<std::string, Look>> choices(2);
   choices[0].first = "Mine";
   choices[1].first = "Calibrated";

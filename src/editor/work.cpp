@@ -141,6 +141,8 @@ const Built* Work::shown() const {
   if (result && !view.welcome && view.tool() == Tool::fatness && stale() && live.model)
     return live.model.get();
   if (built && (result || !stale() || !live.model)) return built.get();
+  if (view.mode == Mode::pose && proposal && proposal->model && proposal->theirs())
+    return proposal->model.get();
   return live.model.get();
 }
 
@@ -182,7 +184,7 @@ Pose Work::drawn_pose() const {
     return rest;
   }
   const Pose& mine = frame().pose;
-  if (!proposal || proposal->shown == proposal->peeking) return mine;
+  if (!proposal || !proposal->theirs()) return mine;
   const Pose& theirs = proposal->document.frames[std::size_t(view.frame)].pose;
   const double t = std::clamp((ImGui::GetTime() - proposal->since) / kCalibrating, 0.0, 1.0);
   return pose_at({"", {0, 1}, {mine, theirs}}, t * t * (3 - 2 * t));

@@ -64,6 +64,7 @@ struct Live {
   bool marks_stale = true;
   long marks_revision = -1;
   int marks_frame = -1;
+  bool marks_theirs = false;
   Pose marks_pose;
 };
 
@@ -75,11 +76,15 @@ Vec3 footing_at(const Built& built, int clip, double time);
 struct Proposal {
   Document document;
   std::vector<PartCoverage> coverage;
-  std::vector<FrameFit> fits;  // of the calibrated poses; empty until they are known
-  std::vector<bool> taken;     // per joint
-  bool shown = true;           // the calibrated pose rather than the person's own
-  bool peeking = false;        // the other one, as long as a key is held
-  double since = 0;            // when it was shown: the change is animated
+  // At the calibrated poses; nothing until they are made.
+  std::vector<FrameFit> fits;
+  std::vector<PartMesh> parts;
+  std::shared_ptr<Built> model;
+  std::vector<bool> taken;  // per joint
+  bool shown = true;        // the calibrated pose rather than the person's own
+  bool peeking = false;     // the other one, as long as a key is held
+  bool theirs() const { return shown != peeking; }
+  double since = 0;  // when it was shown: the change is animated
   long revision = -1;
 };
 
@@ -279,7 +284,7 @@ struct Work {
   // The model in view: the whole one, or while it is out of date, or not there yet, its parts.
   // Null: neither.
   const Built* shown() const;
-  bool shows_parts() const { return shown() && shown() == live.model.get(); }
+  bool shows_parts() const { return shown() && shown() != built.get(); }
 
   // The pose that the model shows: of the clip, the person's, or the drawing's.
   Pose shown_pose() const;

@@ -206,4 +206,4 @@ def calibrates_compares_and_keeps():
 
 run(drags_a_limb, turns_twists_flips_and_locks, changes_depth_from_the_side_and_copies,
     suggests_and_asks_which_way, calibrates_compares_and_keeps,
-    shows_the_parts_and_where_they_miss, sets_keys_and_moves_them, shapes_joints_and_fatness)
+    shows_the_parts_and_where_they_miss, sets_keys_and_moves_them, shapes_joints_and_fatness, seconds=400)
