@@ -69,19 +69,11 @@ Document wanted(const Work& work) {
                              : work.document();
 }
 
-bool same_skeleton(const Skeleton& a, const Skeleton& b) {
-  return a.size() == b.size() &&
-         std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(),
-                    [](const Joint& p, const Joint& q) { return p.parent == q.parent; });
-}
-
 }  // namespace
 
 void keep_live(Work& work) {
   Live& live = work.live;
   const long revision = work.history.revision();
-  if (live.model && !same_skeleton(live.model->model.skeleton, work.document().skeleton))
-    live = Live();
   if (work.jobs.busy() || work.view.welcome) return;
   const bool of_result =
       work.built && work.view.mode == Mode::result && work.view.tool() == Tool::fatness;

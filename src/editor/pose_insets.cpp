@@ -158,7 +158,10 @@ void pose_insets(Work& work, const Layout& layout, float pixel_ratio) {
   poses_to_copy(work, canvas);
   if (work.document().skeleton.size() == 0 || !work.view.layer().bones) return;
   turning_ball(work, canvas);
-  bend_chooser(work, canvas, 2 * kBallGround + 2 * kMargin);
+  // Above the ball; on tablets the tools float there, and it stands beside.
+  ImVec2 corner{canvas.x + kMargin, canvas.bottom() - kMargin};
+  (layout.tablet ? corner.x : corner.y) += (layout.tablet ? 1 : -1) * (2 * kBallGround + kMargin);
+  bend_chooser(work, corner);
   const float height = kSide + kSideHead;
   // On tablets the model stands in the lower corner.
   const float y = layout.tablet ? canvas.y + 68 : canvas.bottom() - kMargin - height;

@@ -11,7 +11,7 @@
 namespace artisketch {
 namespace {
 
-constexpr float kMargin = 12, kWidth = 172, kHeight = 152;
+constexpr float kWidth = 172, kHeight = 152;  // points
 
 // The bones in question in their colours among the others, turned so that depth shows.
 void small_picture(const Work& work, const Pose& pose, int joint, const Rect& place) {
@@ -80,7 +80,7 @@ void suggest_pose(Work& work) {
   work.bend.frame = frame;
 }
 
-void bend_chooser(Work& work, const Rect& canvas, float above) {
+void bend_chooser(Work& work, ImVec2 corner) {
   Bend& bend = work.bend;
   const int joint = work.view.joint;
   if (bend.frame != work.view.frame || joint <= 0 || work.proposal) return;
@@ -95,7 +95,7 @@ void bend_chooser(Work& work, const Rect& canvas, float above) {
     bend.toward = is_toward ? mine : other;
     bend.away = is_toward ? other : mine;
   }
-  const Rect card{canvas.x + kMargin, canvas.bottom() - above - kHeight, kWidth, kHeight};
+  const Rect card{corner.x, corner.y - kHeight, kWidth, kHeight};
   shadow(card, kRadiusPanel);
   draw().AddRectFilled(card.min(), card.max(), rgb(0x1F2227, 0.96f), kRadiusPanel);
   draw().AddRect(card.min(), card.max(), rgb(0x343940), kRadiusPanel);

@@ -82,7 +82,7 @@ bool drag_joints(Work& work, const Eye& eye, const std::vector<Vec3>& joints, co
   if (!pointer_dragged()) return true;
   const Vec3 target = under_pointer(eye, joints[std::size_t(dragged)]) - shift;
   work.view.playing = false;
-  work.view.joint = dragged;
+  if (dragged < work.document().skeleton.size()) work.view.joint = dragged;
   const Skeleton& skeleton = work.built->model.skeleton;
   work.view.posed =
       with_joint_at(skeleton, work.shown_pose(), dragged, target, bones_dragged(skeleton, dragged));

@@ -26,7 +26,7 @@ void pose_tool(Work& work, const Pointer& p, const OnScreen& on);
 void twist_tool(Work& work, const Pointer& p, const OnScreen& on);
 // A pose from the outlines, and which way its bones lean to choose from.
 void suggest_pose(Work& work);
-void bend_chooser(Work& work, const Rect& canvas, float above);
+void bend_chooser(Work& work, ImVec2 corner);  // its lower left one
 void turn_body(Work& work, const Quat& turn);
 void turn_tool(Work& work, const Pointer& p, const Rect& place);
 

@@ -95,11 +95,20 @@ void Work::change(const std::string& undo_name, Document next) {
   }
 }
 
+namespace {
+bool same_joints(const Skeleton& a, const Skeleton& b) {
+  return std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end(),
+                    [](const Joint& p, const Joint& q) { return p.parent == q.parent; });
+}
+}  // namespace
+
 void Work::settle() {
   const Document& now = document();
   view.frame = std::clamp(view.frame, 0, std::max(0, int(now.frames.size()) - 1));
   if (view.joint >= now.skeleton.size()) view.joint = -1;
   if (!has_frame() || view.contour >= int(frame().contours.size())) view.contour = -1;
+  // Parts of another skeleton stand in no pose of this one.
+  if (live.model && !same_joints(live.model->model.skeleton, now.skeleton)) live = Live();
   follow_document();
   if (proposal && proposal->revision != history.revision()) proposal.reset();
   if (outline && outline->frame >= int(now.frames.size())) outline.reset();
