@@ -110,6 +110,9 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/outline_panel.cpp
   src/editor/trace_tool.cpp
   src/editor/skeleton_tools.cpp
+  src/editor/pose_insets.cpp
+  src/editor/live.cpp
+  src/editor/fit_paint.cpp
   src/editor/pose_tools.cpp
   src/editor/model_view.cpp
   src/editor/inspector.cpp

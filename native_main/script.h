@@ -2,9 +2,8 @@
 // finds its way through the real window and moves the real pointer there:
 //
 //   widgets          [{label, x, y, width, height, enabled, active}], in points of the window
-//   state            {mode, busy, stage, progress, frame, frames, joints, hasModel, canUndo,
-//   message, unsaved} project F X Y    [x, y]: where pixel (X, Y) of drawing F stands in the
-//   window; null where it
+//   state            answers.h
+//   project F X Y    [x, y]: where pixel (X, Y) of drawing F stands in the window; null where it
 //                    isn't shown
 //   quit             leaves without a question
 #pragma once

@@ -69,14 +69,37 @@ Result<JobResult> run_calibration(const Document& document, const JobRequest& re
   return out;
 }
 
-Result<JobResult> run_unguarded(const JobRequest& request, Run& run) {
+Result<JobResult> run_parts(const Document& document, const JobRequest& request, Run& run,
+                            PartCache* cache) {
+  PipelineOptions options = request.options;
+  options.cache = cache;
+  JobResult out;
+  Result<std::vector<PartSurface>> parts = part_surfaces(document, options, out.warnings, run);
+  if (!parts) return parts.error();
+  out.fits = measure_part_fit(document, *parts);
+  for (PartSurface& part : *parts) out.parts.push_back({part.joint, std::move(part.mesh)});
+  return out;
+}
+
+Result<JobResult> run_kind(const Document& document, const JobRequest& request, Run& run,
+                           PartCache* cache) {
+  switch (request.kind) {
+    case JobRequest::Kind::calibrate:
+      return run_calibration(document, request, run);
+    case JobRequest::Kind::parts:
+      return run_parts(document, request, run, cache);
+    case JobRequest::Kind::reconstruct:
+      break;
+  }
+  return run_reconstruction(document, request, run);
+}
+
+Result<JobResult> run_unguarded(const JobRequest& request, Run& run, PartCache* cache) {
   const Result<Document> document = parse_document(request.document, kFaultsCallIt);
   if (!document) return document.error();
   Trace trace;
   if (request.trace) run.trace = &trace;
-  Result<JobResult> result = request.kind == JobRequest::Kind::calibrate
-                                 ? run_calibration(*document, request, run)
-                                 : run_reconstruction(*document, request, run);
+  Result<JobResult> result = run_kind(*document, request, run, cache);
   run.trace = nullptr;
   if (!result) return result;
   drop_fields(trace);
@@ -96,9 +119,9 @@ Error broke_off(const std::string& why) {
   return {Error::Kind::crashed, {"the computation broke off: " + why}};
 }
 
-Result<JobResult> run_job(const JobRequest& request, Run& run) {
+Result<JobResult> run_job(const JobRequest& request, Run& run, PartCache* cache) {
   try {
-    return run_unguarded(request, run);
+    return run_unguarded(request, run, cache);
   } catch (const std::bad_alloc&) {
     return out_of_memory(request.options.grid);
   } catch (const std::exception& thrown) {

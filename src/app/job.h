@@ -15,12 +15,18 @@ struct JobRequest {
   enum class Kind {
     reconstruct,  // a model, from calibrated poses if the options say so
     calibrate,    // poses alone
+    parts,        // the parts' surfaces at the document's poses, while it is edited
   };
   Kind kind = Kind::reconstruct;
   std::string document;  // as document_text writes it; drawings, where wanted, as data: URIs
   PipelineOptions
       options;         // of a calibration only the method counts; drawings come from `document`
   bool trace = false;  // keep intermediate meshes and curves
+};
+
+struct PartMesh {
+  int joint = 0;
+  Mesh mesh;  // rest space
 };
 
 struct JobResult {
@@ -32,12 +38,14 @@ struct JobResult {
   std::vector<JointSphere> spheres;       // that joined the parts
   std::vector<std::string> undetermined;  // angles that the silhouettes leave open, in words
   std::vector<std::string> warnings;
-  Trace trace;  // meshes and curves alone: fields are too large to hand over
+  std::vector<PartMesh> parts;  // of a job for parts alone
+  Trace trace;                  // meshes and curves alone: fields are too large to hand over
 };
 
 // Does the job on this thread. Fails as the stages do, and on a document that cannot be read; lack
 // of memory and anything thrown become errors in words.
-Result<JobResult> run_job(const JobRequest& request, Run& run);
+//   cache  of the parts that jobs for parts alone make, kept from one to the next; may be null
+Result<JobResult> run_job(const JobRequest& request, Run& run, PartCache* cache = nullptr);
 
 // The faults of a job that broke off. `grid` is what was asked for: a coarser one is suggested.
 Error out_of_memory(int grid);

@@ -111,13 +111,23 @@ void field(Archive& a, JointSphere& sphere) {
 }
 
 template <class Archive>
+void field(Archive& a, Mesh& mesh) {
+  field(a, mesh.V), field(a, mesh.F);
+}
+
+template <class Archive>
+void field(Archive& a, PartMesh& part) {
+  field(a, part.joint), field(a, part.mesh);
+}
+
+template <class Archive>
 void field(Archive& a, Trace::Entry& entry) {
   field(a, entry.name);
   bool mesh = std::holds_alternative<Mesh>(entry.what);
   field(a, mesh);
   if (mesh) {
     if (!std::holds_alternative<Mesh>(entry.what)) entry.what = Mesh();
-    field(a, std::get<Mesh>(entry.what).V), field(a, std::get<Mesh>(entry.what).F);
+    field(a, std::get<Mesh>(entry.what));
   } else {
     if (!std::holds_alternative<Curves>(entry.what)) entry.what = Curves();
     field(a, std::get<Curves>(entry.what));
@@ -134,7 +144,7 @@ template <class Archive>
 void fields(Archive& a, JobResult& r) {
   field(a, r.document), field(a, r.glb), field(a, r.report), field(a, r.fits);
   field(a, r.coverage), field(a, r.spheres), field(a, r.undetermined), field(a, r.warnings);
-  field(a, r.trace.entries);
+  field(a, r.parts), field(a, r.trace.entries);
 }
 
 template <class Archive>

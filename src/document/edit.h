@@ -109,20 +109,4 @@ std::vector<Candidate> joint_candidates(const Document& document, int frame, con
 // A joint elsewhere in the rest pose; its mirror image follows where the two were each other's.
 Document with_joint_offset(Document document, int joint, const Vec3& offset);
 
-// ---------------------------------------------------------------- poses
-
-// The pose in which a joint is at `target` (world), as near as the lengths of the bones allow: the
-// joint's chain of up to `bones` bones follows, the rest hangs on. The root moves as a whole.
-Pose with_joint_at(const Skeleton& skeleton, const Pose& pose, int joint, const Vec3& target,
-                   int bones = 2);
-
-// The bone that ends in `joint` mirrored in depth: what pointed toward the viewer points away.
-Pose with_bone_flipped(const Skeleton& skeleton, const Pose& pose, int joint);
-
-// The bone that ends in `joint` turned about its own axis.
-Pose with_bone_twisted(const Skeleton& skeleton, const Pose& pose, int joint, double angle);
-
-// The whole body turned about a world axis through the root.
-Pose with_body_turned(Pose pose, const Quat& turn);
-
 }  // namespace artisketch

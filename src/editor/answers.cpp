@@ -34,7 +34,9 @@ Json state_json(const Editor& editor) {
           {"frames", s.frames},
           {"joints", s.joints},
           {"hasModel", s.has_model},
+          {"liveParts", s.live_parts},
           {"canUndo", s.can_undo},
+          {"undo", s.undo},
           {"message", s.message},
           {"unsaved", editor.unsaved()}};
 }

@@ -26,7 +26,9 @@ void fit(View& view, const Frame& frame, const Rect& place) {
 }
 
 // Wheel zooms at the pointer; the middle button, or two fingers, pan.
-void navigate(View& view, const Fingers& fingers, const Rect& place) {
+void navigate(Work& work, const Rect& place) {
+  View& view = work.view;
+  const Fingers& fingers = work.fingers;
   const ImGuiIO& io = ImGui::GetIO();
   if (fingers.count > 1 && place.holds(fingers.at)) {
     view.origin.x += fingers.moved.x;
@@ -37,7 +39,7 @@ void navigate(View& view, const Fingers& fingers, const Rect& place) {
   if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) ||
       !place.holds(io.MousePos))
     return;
-  if (io.MouseWheel != 0 && !(view.mode == Mode::pose && view.tool() == Tool::twist))
+  if (io.MouseWheel != 0 && !wheel_twists(work, {view.origin, view.zoom}))
     zoom_about(view, io.MousePos, std::pow(1.15f, io.MouseWheel));
   if (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0)) {
     view.origin.x += io.MouseDelta.x;
@@ -64,18 +66,34 @@ void paint_outlines(const Work& work, const OnScreen& on) {
 
 void paint_model(Work& work, const FrameCamera& camera, const OnScreen& on, const Rect& place,
                  float pixel_ratio) {
-  const std::vector<Clip>& clips = work.built->model.clips;
+  const Built& shown = *work.shown();
+  const std::vector<Clip>& clips = shown.model.clips;
   if (clips.empty() || work.view.frame >= int(clips[0].poses.size())) return;
   const Pose& pose = clips[0].poses[std::size_t(work.view.frame)];
   // In Pose the model stands as the person has it, so that what does not fit shows.
   const Pose drawn = work.drawn_pose();
-  const bool theirs =
-      work.view.mode == Mode::pose && drawn.rotations.size() == pose.rotations.size();
-  work.built->picture->pose(theirs ? drawn : pose, Vec3::Zero());
+  const bool theirs = (work.view.mode == Mode::pose || work.shows_parts()) &&
+                      drawn.rotations.size() == pose.rotations.size();
+  shown.picture->pose(theirs ? drawn : pose, Vec3::Zero());
   const Eye eye = sketch_eye(camera, on.origin, on.zoom, place);
   PaintOptions options;
   options.dark = theme().dark;
-  show_model(work, eye, options, work.over_sketch, work.view.layer().model_opacity, pixel_ratio);
+  if (work.shows_parts()) options.surface = Surface::weights;
+  show_model(shown, eye, options, work.over_sketch, work.view.layer().model_opacity, pixel_ratio);
+}
+
+// A lock beside each joint whose turn the calibration keeps.
+void paint_locks(const Work& work, const FrameCamera& camera, const OnScreen& on) {
+  const std::vector<Transform> posed = posed_joints(work.document().skeleton, work.drawn_pose());
+  for (const int joint : work.document().calibration.locked) {
+    const Vec3 place = posed[std::size_t(joint)].translation();
+    if (!camera.in_front(place)) continue;
+    const ImVec2 p = on.of(camera.project(place));
+    const ImVec2 at{p.x + 15, p.y - 13};
+    draw().AddCircleFilled(at, 11, rgb(0x1C2025, 0.9f));
+    draw().AddCircle(at, 11, rgb(0xFFFFFF, 0.9f), 0, 1.25f);
+    write_icon(at, IconSize::small, rgb(0xFFFFFF), icon::kLockOutline);
+  }
 }
 
 void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
@@ -92,12 +110,13 @@ void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
     show_picture(drawing->texture, paper, opacity, {0, 0}, {1, 1}, theme().paper_tint);
   // The calibrated document may have found another scale for the frame.
   const FrameCamera camera = frame_camera(work.document(), view.frame);
-  if (layers.model && work.built) {
-    const bool same = view.frame < int(work.built->document.frames.size());
-    paint_model(work, same ? frame_camera(work.built->document, view.frame) : camera, on, place,
+  if (const Built* shown = layers.model ? work.shown() : nullptr) {
+    const bool same = view.frame < int(shown->document.frames.size());
+    paint_model(work, same ? frame_camera(shown->document, view.frame) : camera, on, place,
                 pixel_ratio);
   }
   if (layers.outlines) paint_outlines(work, on);
+  if (view.mode == Mode::pose) paint_fit_marks(work, place, on);
   if (layers.bones) {
     BonesLook look;
     look.tapered = view.mode == Mode::pose || view.mode == Mode::skeleton;
@@ -111,6 +130,7 @@ void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
       paint_bones(draw(), work.document().skeleton, faint, camera, on, other);
     }
     paint_bones(draw(), work.document().skeleton, work.drawn_pose(), camera, on, look);
+    if (view.mode == Mode::pose) paint_locks(work, camera, on);
   }
 }
 
@@ -155,7 +175,7 @@ void head(Work& work, const Layout& layout) {
     row.cut_right(2);
   };
   toggle("Show model", "Lay the model over the drawing", icon::kCubeOutline, layers.model, "G",
-         work.built != nullptr);
+         work.shown() != nullptr);
   toggle("Show bones", "Show the skeleton", icon::kBone, layers.bones, "B", true);
   toggle("Show outlines", "Show the outlines", icon::kVectorCurve, layers.outlines, "", true);
   toggle("Show drawing", "Show the drawing", icon::kImage, layers.drawing, "H", true);
@@ -171,7 +191,7 @@ void foot(Work& work, const Layout& layout) {
     row.cut_left(8);
     slider("Drawing opacity", row.cut_left(length), layers.drawing_opacity, 0, 1);
     row.cut_left(24);
-    if (layers.model && work.built) {
+    if (layers.model && work.shown()) {
       write(row.cut_left(38), Font::caption, t.muted, "Model");
       row.cut_left(8);
       slider("Model opacity", row.cut_left(length), layers.model_opacity, 0, 1);
@@ -243,11 +263,12 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio) {
     return;
   }
   if (work.view.fit) fit(work.view, work.frame(), place);
-  navigate(work.view, work.fingers, place);
+  navigate(work, place);
   draw().PushClipRect(place.min(), place.max(), true);
   paint_sketch(work, place, pixel_ratio);
   // Before the tool, whose place the marks' buttons lie in.
   if (work.view.mode == Mode::outline) crossing_chips(work, place);
+  if (work.view.mode == Mode::pose) pose_insets(work, layout, pixel_ratio);
   use_tool(work, place, {work.view.origin, work.view.zoom});
   draw().PopClipRect();
   head(work, layout);

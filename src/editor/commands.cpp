@@ -75,6 +75,11 @@ constexpr CommandWords kCommands[] = {
     {Command::flip, "Flip", icon::kSwapHorizontal, ImGuiKey_F, false, false,
      "Flip the bone toward you or away"},
     {Command::tool_twist, "Twist", icon::kRotateRight, ImGuiKey_T},
+    {Command::tool_turn, "Turn", icon::kRotate3d, ImGuiKey_A, false, false, "Turn the whole body"},
+    {Command::lock, "Lock", icon::kLockOutline, ImGuiKey_L, false, false,
+     "Calibration keeps this part's turn, or may change it again"},
+    {Command::copy_pose, "Copy", icon::kContentCopy, ImGuiKey_C, false, false,
+     "Take the pose of another drawing"},
     {Command::reset, "Reset", icon::kBackupRestore},
 };
 

@@ -60,6 +60,9 @@ enum class Command {
   tool_pose,
   flip,
   tool_twist,
+  tool_turn,
+  lock,
+  copy_pose,
   reset,
 };
 

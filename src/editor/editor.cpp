@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "editor/actions.h"
+#include "editor/live.h"
 #include "editor/panels.h"
 
 namespace artisketch {
@@ -129,6 +130,7 @@ void Editor::frame(float width, float height, float pixel_ratio) {
   question_sheet(work, width, height);
 
   for (Command command : std::exchange(work.asked, {})) perform(work, command);
+  keep_live(work);
   autosave(work);
   if (!work.toasts.empty()) parts_->message = work.toasts.back().words;
   const std::string& name = work.document().name;
@@ -140,13 +142,14 @@ double Editor::next_frame_in() const {
   constexpr double kSmooth = 1.0 / 60, kSeldom = 1.0 / 20, kNever = 1e9;
   const Work& work = parts_->work;
   double interval = kNever;
-  if (work.jobs.busy() || work.history.revision() != work.autosaved) interval = kSeldom;
+  if (work.busy() || work.history.revision() != work.autosaved) interval = kSeldom;
   // A toast goes by itself; an error stays until it is answered.
   for (const Toast& toast : work.toasts)
     if (!toast.error)
       interval = std::min(
           interval, toast.since < 0 ? 0 : toast.since + kToastSeconds - ImGui::GetTime() + kSmooth);
-  if (work.view.playing || work.changing_pose()) interval = kSmooth;
+  const bool live = work.jobs.busy() && !work.busy();
+  if (work.view.playing || work.changing_pose() || live) interval = kSmooth;
   const std::chrono::duration<double> since = std::chrono::steady_clock::now() - parts_->drawn_at;
   return interval - since.count();
 }
@@ -160,7 +163,7 @@ EditorState Editor::state() const {
   constexpr const char* kNames[] = {"outline", "skeleton", "pose", "result"};
   EditorState state;
   state.mode = work.view.welcome ? "welcome" : kNames[std::size_t(work.view.mode)];
-  state.busy = work.jobs.busy();
+  state.busy = work.busy();
   const Progress progress = work.jobs.progress();
   state.stage = state.busy ? progress.stage : "";
   state.progress = state.busy ? progress.fraction : 0;
@@ -168,7 +171,9 @@ EditorState Editor::state() const {
   state.frames = int(work.document().frames.size());
   for (const Joint& joint : work.document().skeleton.joints) state.joints.push_back(joint.name);
   state.has_model = work.built != nullptr;
+  state.live_parts = int(work.live.parts.size());
   state.can_undo = work.history.can_undo();
+  if (state.can_undo) state.undo = work.history.undo_name();
   state.message = parts_->message;
   return state;
 }

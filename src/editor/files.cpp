@@ -24,6 +24,7 @@ void start_with(Work& work, Document document) {
   work.place.clear();
   work.name.clear();
   work.built.reset();
+  work.live = Live();
   work.proposal.reset();
   work.outline.reset();
   work.gesture = {};

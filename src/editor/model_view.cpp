@@ -2,19 +2,20 @@
 #include <cmath>
 
 #include "document/edit.h"
+#include "document/posing.h"
 #include "editor/panels.h"
 
 namespace artisketch {
 
-void show_model(Work& work, const Eye& eye, const PaintOptions& options, RenderTarget& picture,
-                float opacity, float pixel_ratio, float radius) {
-  work.built->picture->paint(work.built->model, eye, options, picture, pixel_ratio);
+void show_model(const Built& built, const Eye& eye, const PaintOptions& options,
+                RenderTarget& picture, float opacity, float pixel_ratio, float radius) {
+  built.picture->paint(built.model, eye, options, picture, pixel_ratio);
   // OpenGL's pictures begin at the bottom.
   show_picture(picture.texture(), eye.place, opacity, {0, 1}, {1, 0}, IM_COL32_WHITE, radius);
 }
 
-void look_at_model(Work& work) {
-  const Box3 box = bounds(work.built->model.mesh.V);
+void look_at(Work& work, const Model& model) {
+  const Box3 box = bounds(model.mesh.V);
   work.view.orbit = Orbit{};
   work.view.orbit.target = Vec3(0, box.sizes().y() / 2, 0);
   const double reach =
@@ -52,15 +53,9 @@ void navigate(Orbit& orbit, const Fingers& fingers, const Rect& place, bool free
   }
 }
 
-// The joint of the result that is being dragged.
-struct Dragged {
-  int joint = -1;
-  double depth = 0;  // along the view
-};
-Dragged dragged;
-
 // A drag that begins on a joint poses the model; gives whether it did.
 bool drag_joints(Work& work, const Eye& eye, const std::vector<Vec3>& joints) {
+  int& dragged = work.model_joint;
   const ImGuiIO& io = ImGui::GetIO();
   constexpr float kReach = 12;
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsWindowHovered()) {
@@ -70,26 +65,27 @@ bool drag_joints(Work& work, const Eye& eye, const std::vector<Vec3>& joints) {
       const float apart = std::hypot(p.x - io.MousePos.x, p.y - io.MousePos.y);
       if (apart >= best) continue;
       best = apart;
-      dragged.joint = j;
+      dragged = j;
     }
   }
-  if (!io.MouseDown[0]) dragged.joint = -1;
-  if (dragged.joint < 0) return false;
+  if (!io.MouseDown[0]) dragged = -1;
+  if (dragged < 0) return false;
   if (!ImGui::IsMouseDragging(ImGuiMouseButton_Left)) return true;
   // At its own depth, where the pointer is.
-  Eigen::Vector4d clip = eye.clip * joints[std::size_t(dragged.joint)].homogeneous();
+  Eigen::Vector4d clip = eye.clip * joints[std::size_t(dragged)].homogeneous();
   clip.x() = clip.w() * (2 * (io.MousePos.x - eye.place.x) / eye.place.w - 1);
   clip.y() = clip.w() * (1 - 2 * (io.MousePos.y - eye.place.y) / eye.place.h);
   const Vec3 target = Vec3((eye.clip.inverse() * clip).hnormalized()) - work.shown_footing();
   work.view.playing = false;
-  work.view.joint = dragged.joint;
+  work.view.joint = dragged;
+  const Skeleton& skeleton = work.built->model.skeleton;
   work.view.posed =
-      with_joint_at(work.built->model.skeleton, work.shown_pose(), dragged.joint, target);
+      with_joint_at(skeleton, work.shown_pose(), dragged, target, bones_dragged(skeleton, dragged));
   return true;
 }
 
 void paint_joints(const Work& work, const Eye& eye, const std::vector<Vec3>& joints) {
-  const Skeleton& skeleton = work.built->model.skeleton;
+  const Skeleton& skeleton = work.shown()->model.skeleton;
   for (int j = 1; j < skeleton.size(); ++j)
     draw().AddLine(eye.project(joints[std::size_t(skeleton.joints[j].parent)]),
                    eye.project(joints[std::size_t(j)]), rgb(0xFFFFFF, 0.85f), 1.5f);
@@ -134,7 +130,7 @@ void head(Work& work, const Layout& layout) {
   bones.on = view.model_bones;
   bones.quiet = true;
   bones.hint = "Show the model's skeleton";
-  bones.enabled = work.built != nullptr;
+  bones.enabled = work.shown() != nullptr;
   if (icon_button("Model skeleton", row.cut_right(32).middle(32, 30), bones))
     view.model_bones = !view.model_bones;
   struct Choice {
@@ -155,8 +151,8 @@ void head(Work& work, const Layout& layout) {
     look.icon = choice.icon;
     look.hint = choice.hint;
     look.quiet = true;
-    look.enabled = work.built != nullptr;
-    look.on = work.built && view.surface == choice.surface;
+    look.enabled = work.shown() != nullptr;
+    look.on = work.shown() && view.surface == choice.surface;
     if (icon_button(choice.label, row.cut_right(32).middle(32, 30), look))
       view.surface = choice.surface;
   }
@@ -169,6 +165,8 @@ void head(Work& work, const Layout& layout) {
     const Clip& clip = work.built->model.clips[std::size_t(view.clip)];
     std::snprintf(seconds, sizeof seconds, ", %.1f s", clip.times.empty() ? 0 : clip.times.back());
     about = view.posed ? "your pose" : clip.name + seconds;
+  } else if (work.shows_parts()) {
+    about = "parts, your pose";
   } else if (work.built && work.has_frame()) {
     about = "posed as in " + drawing_words(work.document(), view.frame);
   }
@@ -178,14 +176,14 @@ void head(Work& work, const Layout& layout) {
 void foot(const Work& work, const Rect& band) {
   const Theme& t = theme();
   Rect row = band.inset(16, 0);
-  if (!work.built) return;
-  const Built& built = *work.built;
+  if (!work.shown()) return;
+  const Built& built = *work.shown();
   int off = 0;
   for (int joint : drawn_joints(work.document()))
     if (work.has_frame() && fit_of(work, joint, work.view.frame) == Fit::off) ++off;
   std::string words;
   bool good = true;
-  if (work.stale()) {
+  if (work.view.mode == Mode::result && work.stale()) {
     words = "The drawings have changed since.";
     good = false;
   } else if (work.view.mode == Mode::result) {
@@ -197,6 +195,9 @@ void foot(const Work& work, const Rect& band) {
     words = std::to_string(off) +
             (off == 1 ? " part does not fit this drawing" : " parts do not fit this drawing");
     good = false;
+  } else if (work.shows_parts()) {
+    words = std::to_string(work.live.parts.size()) +
+            (work.live.parts.size() == 1 ? " part. " : " parts. ") + "Reconstruct joins them.";
   } else if (work.view.frame < int(built.fits.size())) {
     words = "Fills " + std::to_string(int(built.fits[std::size_t(work.view.frame)].iou * 100)) +
             " % of this drawing";
@@ -236,7 +237,8 @@ void model_view(Work& work, const Layout& layout, float pixel_ratio) {
                     layout.tablet ? Panel::Layer::floating : Panel::Layer::base,
                     layout.tablet ? kRadiusPanel : 0);
   ground_shade(place, layout.tablet);
-  if (!work.built) {
+  const Built* shown = work.shown();
+  if (!shown) {
     nothing_yet(work, place);
     if (!layout.tablet) head(work, layout);
     return;
@@ -244,18 +246,25 @@ void model_view(Work& work, const Layout& layout, float pixel_ratio) {
   const Eye eye = orbit_eye(work.view.orbit, place);
   const Pose pose = work.shown_pose();
   const Vec3 shift = work.shown_footing();
-  work.built->picture->pose(pose, shift);
+  shown->picture->pose(pose, shift);
   PaintOptions options;
   options.surface = work.view.surface;
   options.joint = work.view.joint;
+  // Parts have their joints' colours rather than the drawings'.
+  if (work.shows_parts() && options.surface == Surface::textured) {
+    options.surface = Surface::weights;
+    options.joint = -1;
+  }
   options.ground = true;
   options.dark = t.dark;
-  show_model(work, eye, options, work.model_seen, 1, pixel_ratio, layout.tablet ? kRadiusPanel : 0);
+  show_model(*shown, eye, options, work.model_seen, 1, pixel_ratio,
+             layout.tablet ? kRadiusPanel : 0);
 
   std::vector<Vec3> joints;
-  for (const Transform& joint : posed_joints(work.built->model.skeleton, pose))
+  for (const Transform& joint : posed_joints(shown->model.skeleton, pose))
     joints.push_back(joint.translation() + shift);
-  const bool posing = work.view.mode == Mode::result && work.view.tool() == Tool::pose;
+  const bool posing =
+      work.built && work.view.mode == Mode::result && work.view.tool() == Tool::pose;
   const bool grabbed = posing && drag_joints(work, eye, joints);
   if (work.view.model_bones || posing) paint_joints(work, eye, joints);
   Rect turning = place;

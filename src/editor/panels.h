@@ -20,6 +20,8 @@ void part_name(Rect row, const std::string& name, bool chosen);
 void outline_panel(Work& work, Rect place);
 void skeleton_panel(Work& work, Rect place);
 void template_cards(Work& work, Rect place, int columns);
+// How far a joint's own bone leans out of the paper: "50° away".
+std::string lean_words(const Work& work, int joint);
 void pose_panel(Work& work, Rect place);  // Pose: the calibration's proposal
 void export_sheet(Work& work, const Rect& place);
 void drawing_strip(Work& work, const Layout& layout);
@@ -34,6 +36,14 @@ void main_menu(Work& work, const Rect& button);
 // What the chosen tool does on the canvas with the pointer.
 void use_tool(Work& work, const Rect& place, const OnScreen& on);
 
+// Over the drawing in Pose: where the model's edge and the outlines part ways.
+void paint_fit_marks(Work& work, const Rect& place, const OnScreen& on);
+
+// Beside the body in Pose: the ball that turns it, its side view, the drawings to copy from.
+void pose_insets(Work& work, const Layout& layout, float pixel_ratio);
+// Whether the wheel over the canvas twists a bone rather than zooms.
+bool wheel_twists(const Work& work, const OnScreen& on);
+
 // A button for a command: its icon, key and hint; asks for it when clicked.
 void command_button(Work& work, Command command, const Rect& place, Look look = {});
 void command_icon(Work& work, Command command, const Rect& place, Look look = {});
@@ -43,11 +53,11 @@ bool available(const Work& work, Command command);
 void thumbnail(const Work& work, const Frame& frame, const Rect& place, bool outlines = true);
 
 // The model as seen by an eye, in a panel.
-void show_model(Work& work, const Eye& eye, const PaintOptions& options, RenderTarget& picture,
-                float opacity, float pixel_ratio, float radius = 0);
+void show_model(const Built& built, const Eye& eye, const PaintOptions& options,
+                RenderTarget& picture, float opacity, float pixel_ratio, float radius = 0);
 
 // Orbit round the whole model.
-void look_at_model(Work& work);
+void look_at(Work& work, const Model& model);
 
 // What was dragged, and what it is: a file's size in words.
 std::string bytes_in_words(std::size_t bytes);

@@ -5,10 +5,12 @@
 #include <imgui.h>
 
 #include "document/edit.h"
+#include "document/posing.h"
 #include "document/skeleton_edit.h"
 #include "editor/actions.h"
+#include "editor/live.h"
 #include "editor/outline_commands.h"
-#include "editor/panels.h"
+#include "editor/pointer.h"
 #include "files/document_file.h"
 
 namespace artisketch {
@@ -27,7 +29,7 @@ bool available(const Work& work, Command command) {
       return !drawn_joints(work.document()).empty();
     case Command::calibrate:
       return work.document().frames.size() > 1 && !drawn_joints(work.document()).empty() &&
-             !work.jobs.busy();
+             !work.busy();
     case Command::export_model:
       return !view.welcome && work.built != nullptr;
     case Command::previous_drawing:
@@ -55,6 +57,10 @@ bool available(const Work& work, Command command) {
       return view.mode == Mode::skeleton;
     case Command::flip:
       return view.mode == Mode::pose && view.joint > 0 && work.has_frame();
+    case Command::lock:
+      return view.mode == Mode::pose && view.joint >= 0;
+    case Command::copy_pose:
+      return view.mode == Mode::pose && work.document().frames.size() > 1;
     case Command::reset:
       return view.mode == Mode::pose ? work.has_frame() : view.mode == Mode::result && view.posed;
     case Command::play:
@@ -97,7 +103,7 @@ void arm(Work& work, Tool tool) {
 
 void step_back(Work& work) {
   View& view = work.view;
-  if (work.jobs.busy()) {
+  if (work.busy()) {
     work.jobs.cancel();
   } else if (work.outline) {
     work.outline.reset();
@@ -262,7 +268,7 @@ void perform(Work& work, Command command) {
       view.fit = true;
       break;
     case Command::home:
-      if (work.built) look_at_model(work);
+      if (const Built* shown = work.shown()) look_at(work, shown->model);
       break;
     case Command::zoom_in:
       zoom_in_middle(view, 1.25f);
@@ -302,6 +308,9 @@ void perform(Work& work, Command command) {
     case Command::tool_twist:
       if (view.mode == Mode::pose) arm(work, Tool::twist);
       break;
+    case Command::tool_turn:
+      if (view.mode == Mode::pose) arm(work, Tool::turn);
+      break;
     case Command::mirror:
     case Command::copy_to:
     case Command::behind:
@@ -329,12 +338,21 @@ void perform(Work& work, Command command) {
       break;
     case Command::flip: {
       const Skeleton& skeleton = work.document().skeleton;
-      const std::string name = joint_words(skeleton.joints[std::size_t(view.joint)].name).whole();
-      work.commit("Flip " + name,
-                  with_pose(work.document(), view.frame,
-                            with_bone_flipped(skeleton, work.frame().pose, view.joint)));
+      const std::string name = part_words(work, start_of_bone(skeleton, view.joint));
+      work.commit("Flip " + name, with_pose(work.document(), view.frame,
+                                            with_bone_flipped(skeleton, work.frame().pose,
+                                                              end_of_bone(skeleton, view.joint))));
       break;
     }
+    case Command::lock: {
+      const bool locked = is_locked(work.document(), view.joint);
+      work.commit((locked ? "Free " : "Lock ") + part_words(work, view.joint),
+                  with_lock(work.document(), view.joint, !locked));
+      break;
+    }
+    case Command::copy_pose:
+      view.choosing_pose = true;
+      break;
     case Command::reset:
       if (view.mode == Mode::result)
         view.posed.reset();
@@ -367,7 +385,7 @@ void show_built(Work& work, Built built) {
   work.built = std::make_shared<Built>(std::move(built));
   work.view.clip = 0;
   work.view.posed.reset();
-  if (first) look_at_model(work);
+  if (first) look_at(work, work.built->model);
 }
 
 namespace {
@@ -426,6 +444,7 @@ void take_calibration(Work& work, const JobResult& result) {
 void collect_job(Work& work) {
   std::optional<Result<JobResult>> outcome = work.jobs.poll();
   if (!outcome) return;
+  if (work.running == JobRequest::Kind::parts) return take_parts(work, std::move(*outcome));
   if (!*outcome) {
     const Error& error = outcome->error();
     Toast toast;

@@ -17,7 +17,7 @@ Pointer pointer_on(const Rect& place, const OnScreen& on) {
   p.held = press.held;
   p.pressed = ImGui::IsItemActivated();
   p.released = ImGui::IsItemDeactivated();
-  p.dragging = p.held && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+  p.dragging = item_dragged();
   p.double_clicked = press.double_clicked;
   p.alt = io.KeyAlt;
   return p;
@@ -25,6 +25,15 @@ Pointer pointer_on(const Rect& place, const OnScreen& on) {
 
 float apart(ImVec2 a, ImVec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+bool item_dragged() {
+  if (!ImGui::IsItemActive() && !ImGui::IsItemDeactivated()) return false;
+  const ImGuiIO& io = ImGui::GetIO();
+  // The last move may come in one frame with the release.
+  const float way = apart(io.MousePos, io.MouseClickedPos[ImGuiMouseButton_Left]);
+  return std::max(way * way, io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left]) >=
+         io.MouseDragThreshold * io.MouseDragThreshold;
 }
 
 std::string part_words(const Work& work, int joint) {

@@ -18,6 +18,9 @@ struct Pointer {
 
 Pointer pointer_on(const Rect& place, const OnScreen& on);
 
+// Whether the pointer drags the control shown last, up to its release.
+bool item_dragged();
+
 float apart(ImVec2 a, ImVec2 b);
 
 // The nearest place on a line, in points on screen.

@@ -1,25 +1,31 @@
 // Pose: the calibration's proposal beside the person's own pose, to compare and to take.
+#include <algorithm>
 #include <cmath>
 
 #include "document/edit.h"
-#include "editor/panels.h"
+#include "document/posing.h"
+#include "editor/pointer.h"
 
 namespace artisketch {
 namespace {
-
-// How much of a part's outlines in a drawing the other drawings explain, in percent.
-std::string percent(double share) {
-  return std::to_string(int(std::floor(share * 100))) + " %";
-}
 
 double turned_by(const Pose& a, const Pose& b, int joint) {
   return a.rotations[std::size_t(joint)].angularDistance(b.rotations[std::size_t(joint)]);
 }
 
+// Of the parts of a drawing; −1 where nothing is known.
+double farthest_off(const std::vector<FrameFit>& fits, int frame) {
+  double farthest = -1;
+  if (frame < int(fits.size()))
+    for (const FrameFit::PartFit& fit : fits[std::size_t(frame)].parts)
+      farthest = std::max(farthest, fit.distance);
+  return farthest;
+}
+
 void proposal_card(Work& work, Rect& place) {
   const Theme& t = theme();
   Proposal& proposal = *work.proposal;
-  const Rect card = place.cut_top(158).inset(12, 0);
+  const Rect card = place.cut_top(174).inset(12, 0);
   draw().AddRectFilled(card.min(), card.max(), t.panel, kRadiusCard);
   draw().AddRect(card.min(), card.max(), t.accent, kRadiusCard, 0, 1.5f);
   Rect column = card.inset(12);
@@ -33,12 +39,15 @@ void proposal_card(Work& work, Rect& place) {
   for (int j = 1; j < work.document().skeleton.size(); ++j)
     if (turned_by(mine, theirs, j) > turned_by(mine, theirs, most)) most = j;
   const double angle = degrees(turned_by(mine, theirs, most));
-  const std::string words =
-      angle < 0.5
-          ? "This drawing stays as it is."
-          : "Largest turn: " + joint_words(work.document().skeleton.joints[most].name).whole() +
-                ", " + std::to_string(int(std::lround(angle))) + "°";
-  write(column.cut_top(24), Font::caption, t.muted, words);
+  if (const double farthest = farthest_off(proposal.fits, work.view.frame); farthest >= 0)
+    write(column.cut_top(18), Font::caption, t.muted,
+          "Every part within " + std::to_string(int(std::ceil(farthest))) + " px of its outline.");
+  else
+    write(column.cut_top(18), Font::caption, t.muted, "Measuring …");
+  const std::string words = angle < 0.5 ? "This drawing stays as it is."
+                                        : "Largest turn: " + part_words(work, most) + ", " +
+                                              std::to_string(int(std::lround(angle))) + "°";
+  write(column.cut_top(18), Font::caption, t.muted, words);
   column.cut_top(4);
   std::vector<std::pair<std::string, Look>> choices(2);
   choices[0].first = "Mine";
@@ -66,31 +75,92 @@ void proposal_card(Work& work, Rect& place) {
   if (button("Discard", row)) work.proposal.reset();
 }
 
-void coverage_table(Work& work, Rect place) {
+std::string in_pixels(double distance) {
+  return distance < 0 ? "–" : std::to_string(int(std::lround(distance))) + " px";
+}
+
+// How far each part is from its outline in this drawing, the farthest first; with a proposal also
+// after it, and whether to take it.
+void distance_table(Work& work, Rect place) {
   const Theme& t = theme();
-  Proposal& proposal = *work.proposal;
+  Proposal* proposal = work.proposal ? &*work.proposal : nullptr;
+  std::vector<std::pair<double, int>> rows;
+  for (const int joint : drawn_joints(work.document()))
+    if (const double off = distance_of(work, joint, work.view.frame); off >= 0)
+      rows.emplace_back(-off, joint);
+  if (rows.empty()) return;
+  std::sort(rows.begin(), rows.end());
   place.cut_top(14);
-  write(place.cut_top(22).inset(16, 0), Font::body_bold, t.text, "Explained by the other drawings");
   Rect heads = place.cut_top(22).inset(16, 0);
-  heads.cut_right(24);
-  write(heads.cut_right(54), Font::caption, t.muted, "after", Align::right);
-  write(heads.cut_right(54), Font::caption, t.muted, "mine", Align::right);
-  for (const PartCoverage& part : proposal.coverage) {
-    if (part.frame != work.view.frame || place.h < 26) continue;
-    Rect row = place.cut_top(26).inset(16, 0);
-    draw().AddCircleFilled({row.x + 6, row.centre().y}, 6, joint_tint(part.joint));
+  write(heads, Font::body_bold, t.text, "Distance to the outlines");
+  if (proposal) {
+    heads = place.cut_top(20).inset(16, 0);
+    heads.cut_right(24);
+    write(heads.cut_right(50), Font::caption, t.muted, "after", Align::right);
+    write(heads.cut_right(54), Font::caption, t.muted, "mine", Align::right);
+  }
+  for (const auto& [negated, joint] : rows) {
+    if (place.h < 26) break;
+    const double off = -negated;
+    const std::string name = part_words(work, joint);
+    const Rect whole = place.cut_top(26);
+    Rect row = whole.inset(16, 0);
+    if (proposal) {
+      bool taken = proposal->taken[std::size_t(joint)];
+      if (checkbox("Take " + name, row.cut_right(16), taken, false))
+        proposal->taken[std::size_t(joint)] = taken;
+      row.cut_right(8);
+    }
+    const bool chosen = joint == work.view.joint;
+    const Press press =
+        press_area("Off " + name + " " + in_pixels(off),
+                   {whole.x + 8, whole.y, row.right() - whole.x - 8, whole.h}, true, chosen);
+    if (chosen || press.hovered)
+      draw().AddRectFilled({whole.x + 8, whole.y}, {row.right() + 2, whole.bottom()},
+                           chosen ? t.selection : faded(t.hover, 0.5f), kRadius);
+    if (press.clicked) work.view.joint = joint;
+    draw().AddCircleFilled({row.x + 6, row.centre().y}, 6, joint_tint(joint));
     row.cut_left(21);
-    const std::string name = joint_words(work.document().skeleton.joints[part.joint].name).whole();
-    bool taken = proposal.taken[std::size_t(part.joint)];
-    if (checkbox("Take " + name, row.cut_right(16), taken, false))
-      proposal.taken[std::size_t(part.joint)] = taken;
-    row.cut_right(8);
-    write(row.cut_right(54), Font::caption, t.muted, percent(part.after), Align::right);
-    const bool poor = part.before < 0.9;
-    write(row.cut_right(54), Font::caption_bold, poor ? t.warning : t.text, percent(part.before),
-          Align::right);
+    if (proposal)
+      write(row.cut_right(50), Font::caption, t.muted,
+            in_pixels(distance_in(proposal->fits, joint, work.view.frame)), Align::right);
+    write(row.cut_right(54), off > kOff ? Font::caption_bold : Font::caption,
+          off > kOff ? t.text : t.muted, in_pixels(off), Align::right);
+    const ImVec2 at{row.right() - 4, row.centre().y};
+    if (off > kOff)
+      draw().AddTriangleFilled({at.x, at.y - 5}, {at.x - 5, at.y + 4}, {at.x + 5, at.y + 4},
+                               off > kFarOff ? t.error : t.warning);
+    row.cut_right(14);
     write(row, Font::body, t.text, name);
   }
+}
+
+}  // namespace
+
+std::string lean_words(const Work& work, int joint) {
+  const Skeleton& skeleton = work.document().skeleton;
+  const int start = start_of_bone(skeleton, joint), end = end_of_bone(skeleton, joint);
+  const std::vector<Transform> posed = posed_joints(skeleton, work.drawn_pose());
+  const Vec3 bone = posed[end].translation() - posed[start].translation();
+  if (bone.norm() < 1e-9) return "";
+  const int angle = int(std::lround(degrees(std::asin(bone.normalized().z()))));
+  if (angle == 0) return "in the paper's plane";
+  return std::to_string(std::abs(angle)) + (angle > 0 ? "° toward you" : "° away");
+}
+
+namespace {
+
+void chosen_joint(const Work& work, Rect& place) {
+  const Theme& t = theme();
+  const int joint = work.view.joint;
+  hairline({place.x + 16, place.y}, {place.right() - 16, place.y + 1});
+  place.cut_top(12);
+  Rect row = place.cut_top(26).inset(16, 0);
+  draw().AddCircleFilled({row.x + 6, row.centre().y}, 6, joint_tint(joint));
+  row.cut_left(21);
+  if (is_locked(work.document(), joint)) write(row, Font::caption, t.muted, "locked", Align::right);
+  write(row, Font::body_bold, t.text, part_words(work, joint));
+  write(place.cut_top(22).inset(16, 0), Font::caption, t.muted, lean_words(work, joint));
 }
 
 }  // namespace
@@ -103,10 +173,17 @@ void pose_panel(Work& work, Rect place) {
     write(head, Font::caption, t.muted, drawing_words(work.document(), work.view.frame));
   if (work.proposal && work.has_frame()) {
     proposal_card(work, place);
-    if (work.proposal) coverage_table(work, place);
+    if (work.proposal) distance_table(work, place);
     return;
   }
-  command_button(work, Command::calibrate, place.cut_top(36).inset(12, 0));
+  Rect buttons = place.cut_top(36).inset(12, 0);
+  command_button(work, Command::calibrate, buttons.cut_left((buttons.w - 8) / 2));
+  Look copy;
+  copy.icon = icon::kContentCopy;
+  copy.hint = words_of(Command::copy_pose).hint;
+  copy.key = "C";
+  copy.enabled = available(work, Command::copy_pose);
+  if (button("Copy from", buttons.cut_right(buttons.w - 8), copy)) work.ask(Command::copy_pose);
   place.cut_top(14);
   const bool first = work.view.frame == 0 && !work.document().calibration.free_first_frame;
   const float used = write_lines(
@@ -116,25 +193,9 @@ void pose_panel(Work& work, Rect place) {
             : "Drag the joints until they roughly match the drawing. Calibrate does the last bit.",
       18);
   place.cut_top(used + 16);
-  if (work.view.joint < 0 || !work.has_frame()) return;
-  // The chosen joint.
-  const Skeleton& skeleton = work.document().skeleton;
-  const int joint = work.view.joint, parent = skeleton.joints[joint].parent;
-  hairline({place.x + 16, place.y}, {place.right() - 16, place.y + 1});
-  place.cut_top(12);
-  Rect row = place.cut_top(26).inset(16, 0);
-  draw().AddCircleFilled({row.x + 6, row.centre().y}, 6, joint_tint(joint));
-  row.cut_left(21);
-  write(row, Font::body_bold, t.text, joint_words(skeleton.joints[joint].name).whole());
-  if (parent < 0) return;
-  const std::vector<Transform> posed = posed_joints(skeleton, work.frame().pose);
-  const Vec3 bone = posed[joint].translation() - posed[parent].translation();
-  const double toward = bone.norm() > 1e-9 ? degrees(std::asin(bone.normalized().z())) : 0;
-  const std::string words = std::abs(toward) < 1
-                                ? "In the paper's plane"
-                                : std::to_string(int(std::lround(std::abs(toward)))) +
-                                      (toward > 0 ? "° toward you" : "° away");
-  write(place.cut_top(22).inset(16, 0), Font::caption, t.muted, words);
+  if (!work.has_frame()) return;
+  if (work.view.joint >= 0) chosen_joint(work, place);
+  distance_table(work, place);
 }
 
 }  // namespace artisketch

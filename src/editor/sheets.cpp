@@ -264,12 +264,14 @@ void status_line(const Work& work, const Layout& layout) {
                    : "Drag joints to where they belong; every drawing follows.";
         break;
       case Mode::pose:
-        where = view.tool() == Tool::twist ? "Twist" : "Pose";
-        what =
-            view.tool() == Tool::twist ? "Choose a joint, turn the wheel: the bone twists."
-            : work.proposal
-                ? "Hold Space to see your own pose."
-                : "Drag a joint: the limb follows, lengths kept.  F flips it toward you or away.";
+        where = view.tool() == Tool::twist ? "Twist" : view.tool() == Tool::turn ? "Turn" : "Pose";
+        what = view.tool() == Tool::twist
+                   ? "Choose a joint, then drag sideways or turn the wheel: the part twists."
+               : view.tool() == Tool::turn ? "Drag: the whole body turns like a ball."
+               : work.proposal
+                   ? "Hold Space to see your own pose."
+                   : "Drag a joint: the limb follows.  The wheel on a joint twists it, F flips it "
+                     "toward you or away.";
         break;
       case Mode::result:
         where = "Result";

@@ -155,7 +155,9 @@ void card(Work& work, int f, const Rect& place, bool slim, bool narrow) {
     write_icon(at, IconSize::small, t.muted, icon::kCheck);
     mark.cut_left(18);
     write(mark, Font::caption, t.muted, narrow ? "reference" : "reference pose");
-  } else if (work.built && f < int(work.built->fits.size())) {
+  } else if (f < int(work.live.model ? work.live.fits.size()
+                     : work.built    ? work.built->fits.size()
+                                     : 0)) {
     write_icon(at, IconSize::small, t.muted, icon::kCheck);
     mark.cut_left(18);
     write(mark, Font::caption, t.muted, "fits");

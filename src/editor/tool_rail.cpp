@@ -24,9 +24,9 @@ std::vector<Entry> tools_of(Mode mode) {
               {Command::rename, std::nullopt},
               {Command::remove, std::nullopt}};
     case Mode::pose:
-      return {{Command::tool_pose, Tool::pose},
-              {Command::tool_twist, Tool::twist},
-              {Command::flip, std::nullopt},
+      return {{Command::tool_pose, Tool::pose},   {Command::tool_turn, Tool::turn},
+              {Command::tool_twist, Tool::twist}, {Command::flip, std::nullopt},
+              {Command::lock, std::nullopt},      {Command::copy_pose, std::nullopt},
               {Command::reset, std::nullopt}};
     case Mode::result:
       return {{Command::tool_pose, Tool::pose}, {Command::reset, std::nullopt}};

@@ -25,8 +25,11 @@ void use_tool(Work& work, const Rect& place, const OnScreen& on) {
       skeleton_tool(work, p, on);
       break;
     case Mode::pose:
+      record_joints(work, on);
       if (work.view.tool() == Tool::twist)
         twist_tool(work, p, on);
+      else if (work.view.tool() == Tool::turn)
+        turn_tool(work, p, place);
       else
         pose_tool(work, p, on);
       break;

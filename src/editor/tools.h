@@ -20,7 +20,11 @@ void skeleton_tool(Work& work, const Pointer& p, const OnScreen& on);
 
 // ---------------------------------------------------------------- pose
 
+// Each joint as a control that scripts and screen readers find: "Joint Hand L".
+void record_joints(const Work& work, const OnScreen& on);
 void pose_tool(Work& work, const Pointer& p, const OnScreen& on);
 void twist_tool(Work& work, const Pointer& p, const OnScreen& on);
+void turn_body(Work& work, const Quat& turn);
+void turn_tool(Work& work, const Pointer& p, const Rect& place);
 
 }  // namespace artisketch

@@ -119,7 +119,7 @@ void top_bar(Work& work, const Layout& layout) {
     exporting.on = work.view.exporting;
     command_button(work, Command::export_model, row.cut_right(92).middle(92, high), exporting);
     row.cut_right(8);
-    const bool busy = work.jobs.busy();
+    const bool busy = work.busy();
     const float make_width = busy            ? (layout.tablet ? 220.0f : 232.0f)
                              : layout.tablet ? 136.0f
                                              : 124.0f;

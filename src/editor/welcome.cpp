@@ -167,7 +167,7 @@ void welcome(Work& work, const Layout& layout, float pixel_ratio) {
       PaintOptions options;
       options.ground = true;
       options.dark = t.dark;
-      show_model(work, eye, options, work.model_seen, 1, pixel_ratio);
+      show_model(*work.built, eye, options, work.model_seen, 1, pixel_ratio);
       const Press press = press_area("Turn the model", stage);
       if (press.held) {
         work.view.orbit.yaw -= 0.01 * ImGui::GetIO().MouseDelta.x;

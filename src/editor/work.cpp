@@ -48,11 +48,17 @@ Result<Built> built_from(const std::string& glb, const std::string& document) {
   if (!model) return model.error();
   Result<Document> made_from = parse_document(document, "the document");
   if (!made_from) return made_from.error();
-  Built built{.model = std::move(*model),
-              .document = std::move(*made_from),
+  Built built = built_of(std::move(*model), std::move(*made_from));
+  built.glb = glb;
+  return built;
+}
+
+Built built_of(Model model, Document document) {
+  Built built{.model = std::move(model),
+              .document = std::move(document),
               .fits = {},
               .warnings = {},
-              .glb = glb,
+              .glb = {},
               .footing = {},
               .picture = std::make_unique<ModelPicture>()};
   for (const Clip& clip : built.model.clips) {
@@ -92,21 +98,30 @@ void Work::settle() {
   if (outline && outline->frame >= int(now.frames.size())) outline.reset();
 }
 
+const Built* Work::shown() const {
+  const bool result = view.mode == Mode::result || view.welcome;
+  if (built && (result || !stale() || !live.model)) return built.get();
+  return live.model.get();
+}
+
 Pose Work::shown_pose() const {
-  const std::vector<Clip>& clips = built->model.clips;
+  const Built& model = *shown();
+  const std::vector<Clip>& clips = model.model.clips;
   if (view.mode == Mode::result || view.welcome) {
     if (view.posed) return *view.posed;
-    return clips.empty() ? rest_pose(built->model.skeleton)
+    return clips.empty() ? rest_pose(model.model.skeleton)
                          : pose_at(clips[std::size_t(view.clip)], view.time);
   }
-  if (clips.empty() || clips[0].poses.empty()) return rest_pose(built->model.skeleton);
+  if (shows_parts() && has_frame()) return drawn_pose();
+  if (clips.empty() || clips[0].poses.empty()) return rest_pose(model.model.skeleton);
   return clips[0].poses[std::min(std::size_t(view.frame), clips[0].poses.size() - 1)];
 }
 
 Vec3 Work::shown_footing() const {
-  if (built->footing.empty() || built->footing[0].empty()) return Vec3::Zero();
-  if (view.mode == Mode::result || view.welcome) return footing_at(*built, view.clip, view.time);
-  return built->footing[0][std::min(std::size_t(view.frame), built->footing[0].size() - 1)];
+  const Built& model = *shown();
+  if (model.footing.empty() || model.footing[0].empty()) return Vec3::Zero();
+  if (view.mode == Mode::result || view.welcome) return footing_at(model, view.clip, view.time);
+  return model.footing[0][std::min(std::size_t(view.frame), model.footing[0].size() - 1)];
 }
 
 namespace {
@@ -131,11 +146,16 @@ Pose Work::drawn_pose() const {
   return pose_at({"", {0, 1}, {mine, theirs}}, t * t * (3 - 2 * t));
 }
 
-double distance_of(const Work& work, int joint, int frame) {
-  if (!work.built || frame >= int(work.built->fits.size())) return -1;
-  for (const FrameFit::PartFit& fit : work.built->fits[std::size_t(frame)].parts)
+double distance_in(const std::vector<FrameFit>& fits, int joint, int frame) {
+  if (frame >= int(fits.size())) return -1;
+  for (const FrameFit::PartFit& fit : fits[std::size_t(frame)].parts)
     if (fit.joint == joint) return fit.distance;
   return -1;
+}
+
+double distance_of(const Work& work, int joint, int frame) {
+  if (work.live.model) return distance_in(work.live.fits, joint, frame);
+  return work.built ? distance_in(work.built->fits, joint, frame) : -1;
 }
 
 Fit fit_of(const Work& work, int joint, int frame) {

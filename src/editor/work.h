@@ -20,12 +20,13 @@
 #include "editor/model_picture.h"
 #include "editor/platform.h"
 #include "editor/touch.h"
+#include "model/fit_marks.h"
 
 namespace artisketch {
 
 enum class Mode { outline, skeleton, pose, result };
 inline constexpr int kModes = 4;
-enum class Tool { edit, draw, points, trace, cut, pose, twist };
+enum class Tool { edit, draw, points, trace, cut, pose, twist, turn };
 
 // A finished model, and the document at the poses that it was made from.
 struct Built {
@@ -40,6 +41,27 @@ struct Built {
   std::unique_ptr<ModelPicture> picture;
 };
 Result<Built> built_from(const std::string& glb, const std::string& document);
+Built built_of(Model model, Document document);  // without fits and bytes
+
+struct PartMarks {
+  int joint = 0;
+  FitMarks marks;
+};
+
+// The parts as the document has them by now, coarse and apart (live.h).
+struct Live {
+  std::shared_ptr<Built> model;
+  std::vector<PartMesh> parts;
+  std::vector<FrameFit> fits;
+  long revision = -1;        // that they were made from
+  bool of_proposal = false;  // what is under way: the proposal's fit rather than the parts
+  // Marks of the drawing shown last, and what they were made for.
+  std::vector<PartMarks> marks;
+  bool marks_stale = true;
+  long marks_revision = -1;
+  int marks_frame = -1;
+  Pose marks_pose;
+};
 
 // Where a clip stands at a time; between keys as glTF interpolates.
 Pose pose_at(const Clip& clip, double time);
@@ -49,10 +71,11 @@ Vec3 footing_at(const Built& built, int clip, double time);
 struct Proposal {
   Document document;
   std::vector<PartCoverage> coverage;
-  std::vector<bool> taken;  // per joint
-  bool shown = true;        // the calibrated pose rather than the person's own
-  bool peeking = false;     // the other one, as long as a key is held
-  double since = 0;         // when it was shown: the change is animated
+  std::vector<FrameFit> fits;  // of the calibrated poses; empty until they are known
+  std::vector<bool> taken;     // per joint
+  bool shown = true;           // the calibrated pose rather than the person's own
+  bool peeking = false;        // the other one, as long as a key is held
+  double since = 0;            // when it was shown: the change is animated
   long revision = -1;
 };
 
@@ -110,6 +133,7 @@ struct View {
   double time = 0;            // seconds
   std::optional<Pose> posed;  // the result as the person dragged it
 
+  bool choosing_pose = false;  // to copy: the drawings are listed
   bool exporting = false, all_drawings = false;
   ExportWish wish;
   float strip_scroll = 0;  // points
@@ -187,11 +211,13 @@ struct Work {
   double unkept_since = -1;  // when it first differed from what is kept for a crash
 
   std::shared_ptr<Built> built;
+  Live live;
   std::optional<Proposal> proposal;
   std::optional<NewOutline> outline;
   Gesture gesture;
   Naming naming;
   Fingers fingers;
+  int model_joint = -1;      // of the result, while it is dragged
   std::vector<Vec2> stroke;  // under the pointer, in the sketch's pixels
   JobRequest::Kind running = JobRequest::Kind::reconstruct;
   long running_revision = -1;
@@ -207,7 +233,8 @@ struct Work {
   std::vector<Vec2> handles;  // of the stroke's points, where it is made point by point
 
   View view;
-  RenderTarget over_sketch, model_seen;  // the model over the drawing, and from all sides
+  // The model over the drawing, from all sides, and beside the drawing.
+  RenderTarget over_sketch, model_seen, model_beside;
   std::vector<Toast> toasts;
   std::optional<Question> question;
   bool closed = false;         // the person left
@@ -229,6 +256,13 @@ struct Work {
   // Keeps what is chosen within the document.
   void settle();
 
+  // A job that the person waits for is under way.
+  bool busy() const { return jobs.busy() && running != JobRequest::Kind::parts; }
+  // The model in view: the whole one, or while it is out of date, or not there yet, its parts.
+  // Null: neither.
+  const Built* shown() const;
+  bool shows_parts() const { return shown() && shown() == live.model.get(); }
+
   // The pose that the model shows: of the clip, the person's, or the drawing's.
   Pose shown_pose() const;
   Vec3 shown_footing() const;
@@ -240,6 +274,7 @@ struct Work {
 // How a part fits a drawing.
 enum class Fit { outlined, missing, off };
 Fit fit_of(const Work& work, int joint, int frame);
+double distance_in(const std::vector<FrameFit>& fits, int joint, int frame);  // as distance_of
 double distance_of(const Work& work, int joint, int frame);  // pixels; −1 where unknown
 inline constexpr double kOff = 3.5, kFarOff = 9;             // pixels: amber, red
 

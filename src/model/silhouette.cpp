@@ -18,9 +18,9 @@ struct Window {
   double per_pixel = kPerPixel;
   int width = 0, height = 0;
 
-  explicit Window(const Box2& box) : origin(box.min()) {
+  explicit Window(const Box2& box, double wanted = kPerPixel) : origin(box.min()) {
     const Vec2 size = box.sizes();
-    per_pixel = std::min(kPerPixel, kMostSamples / std::max(size.maxCoeff(), 1.0));
+    per_pixel = std::min(wanted, kMostSamples / std::max(size.maxCoeff(), 1.0));
     width = int(std::ceil(size.x() * per_pixel));
     height = int(std::ceil(size.y() * per_pixel));
   }
@@ -80,7 +80,7 @@ double silhouette_overlap(const Document& document, int frame, const Model& mode
 // Sketch pixels between the outline of a part and its contours; +infinity where there is nothing
 // to compare.
 double contour_distance(const Polygons& contours, const std::vector<Vec2>& pixels,
-                        const Triangles& F, const Frame& frame) {
+                        const Triangles& F, const Frame& frame, double per_pixel) {
   Box2 box;
   for (const std::vector<Vec2>& polygon : contours)
     for (const Vec2& p : polygon) box.extend(p);
@@ -91,11 +91,27 @@ double contour_distance(const Polygons& contours, const std::vector<Vec2>& pixel
   box = box.intersection(Box2(-size, 2 * size));
   if (box.isEmpty()) return std::numeric_limits<double>::infinity();
   const Window window(
-      Box2(box.min() - Vec2::Constant(kMargin), box.max() + Vec2::Constant(kMargin)));
+      Box2(box.min() - Vec2::Constant(kMargin), box.max() + Vec2::Constant(kMargin)), per_pixel);
   Mask drawn(window.width, window.height);
   add_part(contours, window, drawn);
   const double samples = outline_distance(drawn, triangle_mask(pixels, F, window));
   return samples / window.per_pixel;
+}
+
+std::vector<FrameFit::PartFit> part_fits(const Document& document, int frame,
+                                         std::span<const PartSurface> parts, double per_pixel) {
+  const Frame& f = document.frames[frame];
+  const std::vector<Transform> motions = skinning_transforms(document.skeleton, f.pose);
+  std::vector<FrameFit::PartFit> fits;
+  for (const PartSurface& part : parts) {
+    const Polygons contours = closed_contours(f, part.joint);
+    if (contours.empty()) continue;
+    const auto pixels =
+        projected(moved(part.mesh.V, motions[part.joint]), frame_camera(document, frame));
+    const double distance = contour_distance(contours, pixels, part.mesh.F, f, per_pixel);
+    if (std::isfinite(distance)) fits.push_back({part.joint, distance});
+  }
+  return fits;
 }
 
 }  // namespace
@@ -103,21 +119,17 @@ double contour_distance(const Polygons& contours, const std::vector<Vec2>& pixel
 std::vector<FrameFit> measure_fit(const Document& calibrated, const Model& model,
                                   std::span<const PartSurface> parts) {
   std::vector<FrameFit> fits;
-  for (int f = 0; f < int(calibrated.frames.size()); ++f) {
-    const Frame& frame = calibrated.frames[f];
-    FrameFit fit;
-    fit.iou = silhouette_overlap(calibrated, f, model);
-    const std::vector<Transform> motions = skinning_transforms(calibrated.skeleton, frame.pose);
-    for (const PartSurface& part : parts) {
-      const Polygons contours = closed_contours(frame, part.joint);
-      if (contours.empty()) continue;
-      const auto pixels =
-          projected(moved(part.mesh.V, motions[part.joint]), frame_camera(calibrated, f));
-      const double distance = contour_distance(contours, pixels, part.mesh.F, frame);
-      if (std::isfinite(distance)) fit.parts.push_back({part.joint, distance});
-    }
-    fits.push_back(std::move(fit));
-  }
+  for (int f = 0; f < int(calibrated.frames.size()); ++f)
+    fits.push_back(
+        {silhouette_overlap(calibrated, f, model), part_fits(calibrated, f, parts, kPerPixel)});
+  return fits;
+}
+
+std::vector<FrameFit> measure_part_fit(const Document& document,
+                                       std::span<const PartSurface> parts) {
+  std::vector<FrameFit> fits;
+  for (int f = 0; f < int(document.frames.size()); ++f)
+    fits.push_back({0, part_fits(document, f, parts, 0.5)});
   return fits;
 }
 

@@ -252,7 +252,7 @@ struct PipelineOptions {
   int triangles = 15000;          // of the model, about
   bool mirror = true;             // joints see their mirror images' contours, where these agree
   std::vector<Picture> drawings;  // one per frame, to colour the model with; none: plain
-  PartCache* cache = nullptr;     // keeps the parts' surfaces from one run to the next (part_cache.h)
+  PartCache* cache = nullptr;  // keeps the parts' surfaces from one run to the next (part_cache.h)
 };
 
 struct StageTime {
@@ -283,8 +283,19 @@ struct Reconstruction {
 Result<Reconstruction> reconstruct(const Document& document, const PipelineOptions& options,
                                    Run& run);
 
+// The parts alone, at the document's own poses, for a picture while it is edited: no calibration,
+// no skin. What a part fails by becomes a warning, and the part is left out. Fails only if
+// cancelled.
+Result<std::vector<PartSurface>> part_surfaces(const Document& document,
+                                               const PipelineOptions& options,
+                                               std::vector<std::string>& warnings, Run& run);
+
 // How well a posed model fits the drawings (rasterised at twice the sketch's resolution).
 std::vector<FrameFit> measure_fit(const Document& calibrated, const Model& model,
                                   std::span<const PartSurface> parts);
+
+// The parts alone, fast: at half the sketch's resolution; iou stays 0.
+std::vector<FrameFit> measure_part_fit(const Document& document,
+                                       std::span<const PartSurface> parts);
 
 }  // namespace artisketch

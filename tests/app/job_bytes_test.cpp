@@ -19,6 +19,7 @@ JobResult full_result() {
   triangle.V = Points3::Identity(3, 3);
   triangle.F.resize(1, 3);
   triangle.F << 0, 1, 2;
+  result.parts = {{5, triangle}};
   result.trace.add("arm/surface", triangle);
   result.trace.add("arm/hull", Grid3<float>(Vec3::Zero(), 1, Index3(2, 2, 2)));
   result.trace.add("arm/rims", Curves{{Vec3(0, 0, 1), Vec3(0, 1, 0)}, {}});
@@ -79,6 +80,10 @@ TEST(JobBytes, ResultSurvivesButForTheTracesFields) {
   EXPECT_EQ(back->spheres[0].radius, 0.125);
   EXPECT_EQ(back->undetermined, made.undetermined);
   EXPECT_EQ(back->warnings, made.warnings);
+  ASSERT_EQ(back->parts.size(), 1u);
+  EXPECT_EQ(back->parts[0].joint, 5);
+  EXPECT_EQ(back->parts[0].mesh.V, made.parts[0].mesh.V);
+  EXPECT_EQ(back->parts[0].mesh.F, made.parts[0].mesh.F);
   ASSERT_EQ(back->trace.entries.size(), 2u);
   EXPECT_EQ(back->trace.entries[0].name, "arm/surface");
   EXPECT_EQ(std::get<Mesh>(back->trace.entries[0].what).V, Points3::Identity(3, 3));

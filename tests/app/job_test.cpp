@@ -7,6 +7,7 @@
 #include "files/bytes.h"
 #include "files/document_file.h"
 #include "files/gltf.h"
+#include "model/part_cache.h"
 
 namespace artisketch {
 namespace {
@@ -44,6 +45,51 @@ TEST(Job, MakesWhatReconstructMakes) {
   EXPECT_EQ(job->undetermined, direct->calibration->undetermined);
   EXPECT_EQ(job->warnings, direct->warnings);
   EXPECT_NE(job->report.find("\"stages\""), std::string::npos);
+}
+
+TEST(Job, PartsAloneAreMadeAnewOnlyWhereSomethingChanged) {
+  JobRequest request;
+  request.kind = Kind::parts;
+  request.document = example_text("hero");
+  request.options.grid = 32;
+  request.options.mirror = false;
+  PartCache cache;
+  artisketch::Run run;
+  const auto whole = run_job(request, run, &cache);
+  ASSERT_TRUE(whole);
+  Document document = *parse_document(request.document, "hero");
+  const int parts = int(drawn_joints(document).size());
+  EXPECT_EQ(int(whole->parts.size()), parts);
+  EXPECT_EQ(cache.made(), parts);
+  ASSERT_EQ(whole->fits.size(), document.frames.size());
+  EXPECT_EQ(int(whole->fits[0].parts.size()), parts);
+  EXPECT_TRUE(whole->glb.empty());
+
+  Contour& moved = document.frames[0].contours[2];
+  for (Vec2& p : moved.line.points) p.x() += 3;
+  request.document = document_text(document);
+  const auto again = run_job(request, run, &cache);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(cache.made(), parts + 1);
+  for (std::size_t p = 0; p < whole->parts.size(); ++p) {
+    const bool same = whole->parts[p].mesh.V == again->parts[p].mesh.V;
+    EXPECT_EQ(same, whole->parts[p].joint != moved.joint);
+  }
+}
+
+TEST(Job, APartThatFailsIsLeftOutWithAWarning) {
+  JobRequest request = heart(Kind::parts);
+  Document document = *parse_document(request.document, "heart");
+  document.skeleton.joints.push_back({"lost", 0, Vec3(0, 0.1, 0), -1, ""});
+  for (Frame& frame : document.frames) frame.pose.rotations.push_back(Quat::Identity());
+  document.frames[0].contours.push_back({1, {{{10, 10}, {20, 10}, {20, 20}}, false}, ""});
+  request.document = document_text(document);
+  artisketch::Run run;
+  const auto job = run_job(request, run);
+  ASSERT_TRUE(job);
+  ASSERT_EQ(job->parts.size(), 1u);
+  EXPECT_EQ(job->parts[0].joint, 0);
+  EXPECT_FALSE(job->warnings.empty());
 }
 
 TEST(Job, CalibrationGivesPosesAndNoModel) {

@@ -4,6 +4,7 @@
 
 #include "app/job_bytes.h"
 #include "files/bytes.h"
+#include "model/part_cache.h"
 
 namespace artisketch {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 struct WorkerJobsTest : testing::Test {
   std::vector<std::string> posted;
   int restarts = 0;
+  PartCache parts;
   WorkerJobs jobs{
       {[this](const std::string& bytes) { posted.push_back(bytes); }, [this] { ++restarts; }}};
 
@@ -24,7 +26,7 @@ struct WorkerJobsTest : testing::Test {
   // Does what was posted last, as the worker would.
   void serve() {
     serve_job(
-        posted.back(), [this](const std::string& bytes) { jobs.progressed(bytes); },
+        posted.back(), &parts, [this](const std::string& bytes) { jobs.progressed(bytes); },
         [this](const std::string& bytes) { jobs.finished(bytes); });
   }
   Error error() {

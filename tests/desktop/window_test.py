@@ -1,115 +1,8 @@
 #!/usr/bin/env python3
-"""Drives the real editor window on a screen of its own: the pointer and the keys are X's, the
-window is found through its own list of controls.
+"""What every window does: greets, reconstructs, cancels, undoes, recovers, fits its screen."""
+import math, pathlib, subprocess, time
 
-    window_test.py EDITOR EXAMPLES FOLDER     pictures of each step go to FOLDER
-"""
-import json, math, os, pathlib, signal, subprocess, sys, tempfile, time
-
-signal.alarm(240)  # a window that hangs is a failure, not a wait
-
-editor_path, examples, pictures = map(pathlib.Path, sys.argv[1:4])
-pictures.mkdir(parents=True, exist_ok=True)
-
-
-class Window:
-    """The editor, under Xvfb and a window manager that gives it the whole screen."""
-
-    open = []  # windows that a failed test would leave behind
-
-    def __init__(self, size, document=None, home=None):
-        Window.open.append(self)
-        self.home = home or tempfile.mkdtemp()
-        read, write = os.pipe()
-        self.screen = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{size}x24"],
-            pass_fds=[write], stderr=subprocess.DEVNULL)
-        display = ":" + os.read(read, 16).decode().strip()
-        self.environment = dict(os.environ, DISPLAY=display, XDG_STATE_HOME=self.home)
-        rules = pathlib.Path(self.home, "openbox.xml")
-        rules.write_text(
-            '<openbox_config xmlns="http://openbox.org/3.4/rc"><applications><application class="*">'
-            "<decor>no</decor><maximized>yes</maximized><focus>yes</focus>"
-            "</application></applications></openbox_config>")
-        self.manager = subprocess.Popen(["openbox", "--config-file", str(rules)],
-                                        env=self.environment, stderr=subprocess.DEVNULL)
-        time.sleep(0.5)
-        self.editor = subprocess.Popen(
-            [str(editor_path), "--script"] + ([str(document)] if document else []),
-            env=self.environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-        self.wait(lambda: self.widgets())
-
-    def ask(self, question):
-        self.editor.stdin.write(question + "\n")
-        self.editor.stdin.flush()
-        return json.loads(self.editor.stdout.readline())
-
-    def widgets(self):
-        return self.ask("widgets")
-
-    def state(self):
-        return self.ask("state")
-
-    def wait(self, condition, seconds=10, why=""):
-        end = time.time() + seconds
-        while time.time() < end:
-            result = condition()
-            if result:
-                return result
-            time.sleep(0.05)
-        raise AssertionError(f"waited {seconds} s for {why}; the state is {self.state()}")
-
-    def control(self, label):
-        found = [w for w in self.widgets() if w["label"] == label]
-        assert found, f"no control {label!r} among {sorted(w['label'] for w in self.widgets())}"
-        return found[0]
-
-    def x(self, *words):
-        subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True)
-        time.sleep(0.12)
-
-    def click(self, label):
-        self.point_at(label)
-        self.x("click", 1)
-
-    def point_at(self, label):
-        w = self.control(label)
-        assert w["enabled"], f"{label} is not enabled"
-        self.x("mousemove", round(w["x"] + w["width"] / 2), round(w["y"] + w["height"] / 2))
-
-    def drag(self, points):
-        self.x("mousemove", *map(round, points[0]))
-        self.x("mousedown", 1)
-        for p in points[1:]:
-            subprocess.run(["xdotool", "mousemove", str(round(p[0])), str(round(p[1]))],
-                           env=self.environment, check=True)
-            time.sleep(0.02)
-        self.x("mouseup", 1)
-
-    def key(self, key):
-        *held, last = key.split("+")
-        for k in held:
-            self.x("keydown", k)
-        self.x("key", last)
-        for k in held:
-            self.x("keyup", k)
-
-    def picture(self, name):
-        subprocess.run(["import", "-window", "root", str(pictures / (name + ".png"))],
-                       env=self.environment, check=True)
-
-    def close(self):
-        if self.editor.poll() is None:
-            self.editor.stdin.write("quit\n")
-            self.editor.stdin.flush()
-            self.editor.wait(10)
-        self.kill()
-
-    def kill(self):
-        for process in (self.editor, self.manager, self.screen):
-            process.kill()
-            process.wait(10)
-        Window.open.remove(self)
+from editor_window import Window, examples, run
 
 
 def greets_with_the_hero():
@@ -220,18 +113,5 @@ def fits_every_screen():
         window.close()
 
 
-def out_of_time(*_):
-    raise TimeoutError("the window does not answer")
-
-
-signal.signal(signal.SIGALRM, out_of_time)
-try:
-    for test in (greets_with_the_hero, reconstructs_and_cancels, exports_every_format,
-                 draws_and_undoes,
-                 recovers_what_was_lost, fits_every_screen):
-        began = time.time()
-        test()
-        print(f"ok {test.__name__} ({time.time() - began:.1f} s)", flush=True)
-finally:
-    for window in list(Window.open):
-        window.kill()
+run(greets_with_the_hero, reconstructs_and_cancels, exports_every_format, draws_and_undoes,
+    recovers_what_was_lost, fits_every_screen)

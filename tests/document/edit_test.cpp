@@ -40,15 +40,6 @@ Polyline circle(Vec2 centre, double radius, int points = 64) {
   return line;
 }
 
-Vec3 place(const Skeleton& skeleton, const Pose& pose, int joint) {
-  return posed_joints(skeleton, pose)[joint].translation();
-}
-
-double bone_length(const Skeleton& skeleton, const Pose& pose, int joint) {
-  return (place(skeleton, pose, joint) - place(skeleton, pose, skeleton.joints[joint].parent))
-      .norm();
-}
-
 TEST(History, UndoAndRedoLeadBackToTheSameStateByItsName) {
   History history(figure());
   EXPECT_FALSE(history.can_undo());
@@ -232,42 +223,6 @@ TEST(Contours, BehindAndInFrontStayWithinTheDrawing) {
   document = with_contour(document, 0, {2, circle({50, 50}, 9), ""});
   EXPECT_EQ(with_contour_shifted(document, 0, 1, -1).frames[0].contours[0].joint, 2);
   EXPECT_EQ(with_contour_shifted(document, 0, 0, -1).frames[0].contours[0].joint, 1);
-}
-
-TEST(Posing, ADraggedHandReachesItsTargetAndBonesKeepTheirLengths) {
-  const Document document = figure();
-  const Skeleton& skeleton = document.skeleton;
-  const Vec3 target(0.7, 1.5, 0.1);
-  const Pose pose = with_joint_at(skeleton, document.frames[0].pose, 3, target);
-  EXPECT_LT((place(skeleton, pose, 3) - target).norm(), 1e-3);
-  EXPECT_NEAR(bone_length(skeleton, pose, 2), 0.5, 1e-9);
-  EXPECT_NEAR(bone_length(skeleton, pose, 3), 0.5, 1e-9);
-  EXPECT_LT((place(skeleton, pose, 6) - Vec3(-1.2, 1, 0)).norm(), 1e-9);  // the other arm
-}
-
-TEST(Posing, BeyondItsReachTheLimbPointsThere) {
-  const Document document = figure();
-  const Skeleton& skeleton = document.skeleton;
-  const Pose pose = with_joint_at(skeleton, document.frames[0].pose, 3, {0.2, 9, 0});
-  EXPECT_LT((place(skeleton, pose, 3) - Vec3(0.2, 2, 0)).norm(), 0.01);
-}
-
-TEST(Posing, AFlippedBonePointsAwayAndShowsTheSame) {
-  const Document document = figure();
-  const Skeleton& skeleton = document.skeleton;
-  const Pose toward = with_joint_at(skeleton, document.frames[0].pose, 2, {0.5, 1, 0.4}, 1);
-  const Vec3 before = place(skeleton, toward, 2);
-  const Vec3 after = place(skeleton, with_bone_flipped(skeleton, toward, 2), 2);
-  EXPECT_LT((after - Vec3(before.x(), before.y(), -before.z())).norm(), 1e-9);
-}
-
-TEST(Posing, ATwistMovesNeitherEndOfTheBone) {
-  const Document document = figure();
-  const Skeleton& skeleton = document.skeleton;
-  const Pose bent = with_joint_at(skeleton, document.frames[0].pose, 3, {0.6, 1.6, 0});
-  const Pose twisted = with_bone_twisted(skeleton, bent, 2, 0.7);
-  EXPECT_LT((place(skeleton, twisted, 2) - place(skeleton, bent, 2)).norm(), 1e-9);
-  EXPECT_GT((place(skeleton, twisted, 3) - place(skeleton, bent, 3)).norm(), 0.05);
 }
 
 TEST(Skeletons, AMirrorPairStaysOne) {

@@ -1,0 +1,77 @@
+// Over the drawing in Pose: the model's edge, and hairs from it to the outlines it misses.
+#include <cmath>
+
+#include "document/edit.h"
+#include "editor/live.h"
+#include "editor/panels.h"
+#include "editor/pointer.h"
+
+namespace artisketch {
+namespace {
+
+constexpr float kHairs = 7;  // points from one to the next
+constexpr unsigned kAmber = 0xE58A00, kRed = 0xDB3434, kInk = 0x1C2025;
+
+void paint_hairs(const FitMarks& marks, const OnScreen& on) {
+  for (const std::vector<EdgePoint>& loop : marks.edge) {
+    float since = kHairs;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const EdgePoint& p = loop[i];
+      if (i > 0) since += apart(on.of(p.at), on.of(loop[i - 1].at));
+      const double off = p.off();
+      if (off <= kOff || since < kHairs) continue;
+      since = 0;
+      draw().AddLine(on.of(p.at), on.of(p.outline), rgb(off > kFarOff ? kRed : kAmber, 0.95f),
+                     1.5f);
+    }
+  }
+}
+
+void paint_edge(const FitMarks& marks, const OnScreen& on) {
+  std::vector<ImVec2> points;
+  for (const std::vector<EdgePoint>& loop : marks.edge) {
+    points.clear();
+    for (const EdgePoint& p : loop) points.push_back(on.of(p.at));
+    draw().AddPolyline(points.data(), int(points.size()), rgb(0xFFFFFF, 0.55f), ImDrawFlags_Closed,
+                       2.75f);
+    draw().AddPolyline(points.data(), int(points.size()), rgb(kInk, 0.9f), ImDrawFlags_Closed,
+                       1.25f);
+  }
+}
+
+// What the longest stretch belongs to, and how far it is off, beside it.
+void paint_tag(const Work& work, const PartMarks& part, const Rect& place, const OnScreen& on) {
+  const double off = distance_of(work, part.joint, work.view.frame);
+  const std::string words =
+      part_words(work, part.joint) + " " + std::to_string(int(std::lround(off))) + " px off";
+  const float width = text_width(Font::caption_bold, words) + 36, height = 26;
+  const ImVec2 at = on.of(part.marks.middle.at);
+  const float reach = 24 + on.zoom * float(part.marks.middle.off());
+  const Vec2 out = part.marks.outward;
+  Rect tag{at.x + reach * float(out.x()) + (out.x() < 0 ? -width : 0),
+           at.y + reach * float(out.y()) - height / 2, width, height};
+  tag.x = std::clamp(tag.x, place.x + 8, std::max(place.x + 8, place.right() - width - 8));
+  tag.y = std::clamp(tag.y, place.y + 8, std::max(place.y + 8, place.bottom() - height - 8));
+  draw().AddRectFilled(tag.min(), tag.max(), rgb(0x1F2227, 0.95f), height / 2);
+  draw().AddCircleFilled({tag.x + 14, tag.centre().y}, 5, joint_tint(part.joint));
+  record("Tag " + words, tag);
+  tag.cut_left(24);
+  write(tag, Font::caption_bold, rgb(0xE8EAED), words);
+}
+
+}  // namespace
+
+void paint_fit_marks(Work& work, const Rect& place, const OnScreen& on) {
+  const std::vector<PartMarks>& parts = marks_of_drawing(work);
+  const PartMarks* longest = nullptr;
+  for (const PartMarks& part : parts) {
+    paint_hairs(part.marks, on);
+    if (fit_of(work, part.joint, work.view.frame) != Fit::off) continue;
+    if (part.marks.stretch > 0 && (!longest || part.marks.stretch > longest->marks.stretch))
+      longest = &part;
+  }
+  for (const PartMarks& part : parts) paint_edge(part.marks, on);
+  if (longest) paint_tag(work, *longest, place, on);
+}
+
+}  // namespace artisketch

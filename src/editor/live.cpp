@@ -1,0 +1,128 @@
+#include "editor/live.h"
+
+#include "document/edit.h"
+#include "editor/panels.h"
+#include "files/document_file.h"
+
+namespace artisketch {
+namespace {
+
+constexpr int kGrid = 48;  // cells: coarse enough for a picture while the pointer moves
+
+// Parts don't depend on the drawings' pixels.
+std::string without_drawings(Document document) {
+  for (Frame& frame : document.frames) frame.image.clear();
+  return document_text(document);
+}
+
+void ask_for_parts(Work& work, const Document& document, bool of_proposal) {
+  JobRequest request;
+  request.kind = JobRequest::Kind::parts;
+  request.document = without_drawings(document);
+  request.options.grid = kGrid;
+  request.options.mirror = false;
+  work.running = request.kind;
+  work.running_revision = work.history.revision();
+  work.live.of_proposal = of_proposal;
+  work.jobs.start(std::move(request));
+}
+
+// The parts side by side, every vertex moved by its part's joint.
+Model rigid_model(const Document& document, const std::vector<PartMesh>& parts) {
+  Model model;
+  model.name = document.name;
+  model.skeleton = document.skeleton;
+  model.clips = clips_of(document);
+  Eigen::Index vertices = 0, faces = 0;
+  for (const PartMesh& part : parts) vertices += part.mesh.V.rows(), faces += part.mesh.F.rows();
+  model.mesh.V.resize(vertices, 3);
+  model.mesh.F.resize(faces, 3);
+  model.weights.joints.setZero(vertices, 4);
+  model.weights.weights.setZero(vertices, 4);
+  Eigen::Index v = 0, f = 0;
+  for (const PartMesh& part : parts) {
+    model.mesh.V.middleRows(v, part.mesh.V.rows()) = part.mesh.V;
+    model.mesh.F.middleRows(f, part.mesh.F.rows()) = part.mesh.F.array() + int(v);
+    model.weights.joints.col(0).segment(v, part.mesh.V.rows()).setConstant(part.joint);
+    model.weights.weights.col(0).segment(v, part.mesh.V.rows()).setOnes();
+    v += part.mesh.V.rows();
+    f += part.mesh.F.rows();
+  }
+  return model;
+}
+
+bool same_skeleton(const Skeleton& a, const Skeleton& b) {
+  return a.size() == b.size() &&
+         std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(),
+                    [](const Joint& p, const Joint& q) { return p.parent == q.parent; });
+}
+
+}  // namespace
+
+void keep_live(Work& work) {
+  Live& live = work.live;
+  const long revision = work.history.revision();
+  if (live.model && !same_skeleton(live.model->model.skeleton, work.document().skeleton))
+    live = Live();
+  if (work.jobs.busy() || work.view.welcome) return;
+  if (live.revision != revision) {
+    if (drawn_joints(work.document()).empty())
+      live = Live();
+    else
+      ask_for_parts(work, work.document(), false);
+  } else if (work.proposal && work.proposal->fits.empty()) {
+    ask_for_parts(work, work.proposal->document, true);
+  }
+}
+
+void take_parts(Work& work, Result<JobResult> outcome) {
+  Live& live = work.live;
+  if (!outcome) {
+    // Whatever it is, the next edit tries again; a whole model tells what is wrong.
+    if (outcome.error().kind != Error::Kind::cancelled) live.revision = work.running_revision;
+    return;
+  }
+  if (live.of_proposal) {
+    if (work.proposal && work.proposal->revision == work.running_revision)
+      work.proposal->fits = std::move(outcome->fits);
+    return;
+  }
+  live.revision = work.running_revision;
+  live.parts = std::move(outcome->parts);
+  live.fits = std::move(outcome->fits);
+  live.marks_stale = true;
+  const bool first = !live.model && !work.built;
+  live.model.reset();
+  if (live.parts.empty() || live.parts.back().joint >= work.document().skeleton.size()) return;
+  live.model =
+      std::make_shared<Built>(built_of(rigid_model(work.document(), live.parts), work.document()));
+  if (first) look_at(work, live.model->model);
+}
+
+const std::vector<PartMarks>& marks_of_drawing(Work& work) {
+  Live& live = work.live;
+  const Pose pose = work.drawn_pose();
+  const long revision = work.history.revision();
+  const auto same_turn = [](const Quat& a, const Quat& b) { return a.coeffs() == b.coeffs(); };
+  if (!live.marks_stale && live.marks_revision == revision && live.marks_frame == work.view.frame &&
+      live.marks_pose.root_position == pose.root_position &&
+      std::equal(pose.rotations.begin(), pose.rotations.end(), live.marks_pose.rotations.begin(),
+                 live.marks_pose.rotations.end(), same_turn))
+    return live.marks;
+  live.marks_stale = false;
+  live.marks_revision = revision;
+  live.marks_frame = work.view.frame;
+  live.marks_pose = pose;
+  live.marks.clear();
+  const std::vector<Transform> motions = skinning_transforms(work.document().skeleton, pose);
+  const FrameCamera camera = frame_camera(work.document(), work.view.frame);
+  for (const PartMesh& part : live.parts) {
+    if (part.joint >= int(motions.size())) continue;
+    FitMarks marks = fit_marks(part.mesh, motions[std::size_t(part.joint)], camera, work.frame(),
+                               part.joint, kOff);
+    if (!marks.edge.empty()) live.marks.push_back({part.joint, std::move(marks)});
+  }
+  return live.marks;
+}
+
+}  // namespace artisketch

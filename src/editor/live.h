@@ -1,0 +1,17 @@
+// The model while it is edited: its parts, made anew on a coarse grid where something changed, each
+// bound to its joint alone.
+#pragma once
+
+#include "editor/work.h"
+
+namespace artisketch {
+
+// Asks for the parts of the document as it stands, where nothing else is computed; the newest state
+// is asked for once the last answer is there. Called each frame.
+void keep_live(Work& work);
+void take_parts(Work& work, Result<JobResult> outcome);
+
+// The fit marks of the drawing on the canvas, in its pose as shown.
+const std::vector<PartMarks>& marks_of_drawing(Work& work);
+
+}  // namespace artisketch

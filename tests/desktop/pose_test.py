@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+"""Posing, fit marks and the result, through the pointer."""
+import math
+
+from editor_window import Window, examples, run
+
+
+def in_pose(frame=1, size="1440x900"):
+    """The hero's second drawing in Pose."""
+    window = Window(size, examples / "hero/hero.artisketch")
+    window.key("3")
+    window.wait(lambda: window.state()["mode"] == "pose", why="the mode")
+    for _ in range(frame):
+        window.key("period")
+    window.wait(lambda: window.state()["frame"] == frame, why="the drawing")
+    return window
+
+
+def middle(window, label):
+    w = window.control(label)
+    return [w["x"] + w["width"] / 2, w["y"] + w["height"] / 2]
+
+
+def joint(window, name):
+    """Where a joint of the drawing stands in the window."""
+    return middle(window, "Joint " + name)
+
+
+def near(a, b, points):
+    return math.dist(a, b) <= points
+
+
+def drags_a_limb():
+    window = in_pose()
+    window.picture("pose")
+    hand, elbow = joint(window, "Hand L"), joint(window, "Forearm L")
+    to = [hand[0] - 30, hand[1] - 40]
+    window.drag([hand, [hand[0] - 10, hand[1] - 15], to])
+    window.wait(lambda: near(joint(window, "Hand L"), to, 6), why="the hand under the pointer")
+    assert not near(joint(window, "Forearm L"), elbow, 1), "the elbow did not follow"
+    assert window.state()["undo"] == "Bend Upper arm L", window.state()["undo"]
+    window.picture("pose-drag")
+    window.key("ctrl+z")
+    window.wait(lambda: near(joint(window, "Hand L"), hand, 0.5), why="undo in one step")
+    window.close()
+
+
+def turns_twists_flips_and_locks():
+    window = in_pose()
+    hand, head = joint(window, "Hand R"), joint(window, "Head")
+    x, y = middle(window, "Turn the body")
+    window.drag([[x, y], [x + 8, y], [x + 25, y]])
+    window.wait(lambda: not near(joint(window, "Hand R"), hand, 2), why="the turned body")
+    assert abs(joint(window, "Head")[1] - head[1]) < 6, "it turned about the upright"
+    assert window.state()["undo"] == "Turn body"
+    elbow = joint(window, "Forearm L")
+    window.x("mousemove", *map(round, elbow))
+    window.x("click", 1)
+    hand = joint(window, "Hand L")
+    window.key("f")
+    window.wait(lambda: window.state()["undo"] == "Flip Forearm L", why="the flip")
+    assert near(joint(window, "Hand L"), hand, 6), "a flip shows much the same"
+    window.x("click", 4)
+    window.wait(lambda: window.state()["undo"] == "Twist Forearm L", why="the twist")
+    window.key("l")
+    window.wait(lambda: window.state()["undo"] == "Lock Forearm L", why="the lock")
+    window.picture("pose-locked")
+    window.close()
+
+
+def changes_depth_from_the_side_and_copies():
+    window = in_pose()
+    side = window.control("From the side")
+    hand = joint(window, "Hand L")
+    at = middle(window, "Hand L from the side")
+    assert side["x"] < at[0] < side["x"] + side["width"]
+    window.drag([at, [at[0] - 5, at[1]], [at[0] - 14, at[1]]])
+    window.wait(lambda: window.state()["undo"] == "Depth of Hand L", why="the depth")
+    assert near(joint(window, "Hand L"), hand, 3), "it stays where it is seen"
+    window.key("c")
+    window.wait(lambda: any(w["label"] == "Pose of Front" for w in window.widgets()), why="the list")
+    window.picture("pose-copy")
+    window.click("Pose of Front")
+    window.wait(lambda: window.state()["undo"] == "Copy pose of Front", why="the copied pose")
+    window.close()
+
+
+def shows_the_parts_and_where_they_miss():
+    window = Window("1440x900", examples / "hero/hero.artisketch")
+    window.wait(lambda: window.state()["liveParts"] == 15, why="the parts without a word")
+    assert not window.state()["busy"] and not window.state()["hasModel"]
+    window.picture("live-outline")
+    window.key("3")
+    window.key("period")
+    tag = window.wait(lambda: [w["label"] for w in window.widgets() if w["label"].startswith("Tag ")],
+                      why="a part that is off")[0]
+    assert tag.endswith(" px off"), tag
+    window.picture("fit-marks")
+    hand = joint(window, "Hand R")
+    before = [w["label"] for w in window.widgets() if w["label"].startswith("Off ")]
+    window.drag([hand, [hand[0] + 20, hand[1]], [hand[0] + 60, hand[1] + 60]])
+    window.wait(lambda: [w["label"] for w in window.widgets() if w["label"].startswith("Off ")]
+                != before, why="new distances")
+    window.picture("fit-marks-drag")
+    window.close()
+
+
+run(drags_a_limb, turns_twists_flips_and_locks, changes_depth_from_the_side_and_copies,
+    shows_the_parts_and_where_they_miss)
