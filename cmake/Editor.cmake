@@ -111,6 +111,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/trace_tool.cpp
   src/editor/skeleton_tools.cpp
   src/editor/pose_insets.cpp
+  src/editor/pose_suggest.cpp
   src/editor/live.cpp
   src/editor/fit_paint.cpp
   src/editor/pose_tools.cpp
@@ -120,6 +121,8 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/skeleton_panel.cpp
   src/editor/export_sheet.cpp
   src/editor/strip.cpp
+  src/editor/timeline.cpp
+  src/editor/result_tools.cpp
   src/editor/sheets.cpp
   src/editor/welcome.cpp
   src/editor/editor.cpp

@@ -116,7 +116,7 @@ void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
                 pixel_ratio);
   }
   if (layers.outlines) paint_outlines(work, on);
-  if (view.mode == Mode::pose) paint_fit_marks(work, place, on);
+  if (view.mode == Mode::pose) paint_fit_marks(work, on);
   if (layers.bones) {
     BonesLook look;
     look.tapered = view.mode == Mode::pose || view.mode == Mode::skeleton;
@@ -124,7 +124,7 @@ void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
     if (work.proposal) {
       BonesLook other;
       other.faint = true;
-      const Pose& faint = work.proposal->shown != work.proposal->peeking
+      const Pose& faint = work.proposal->theirs()
                               ? frame.pose
                               : work.proposal->document.frames[std::size_t(view.frame)].pose;
       paint_bones(draw(), work.document().skeleton, faint, camera, on, other);
@@ -132,6 +132,7 @@ void paint_sketch(Work& work, const Rect& place, float pixel_ratio) {
     paint_bones(draw(), work.document().skeleton, work.drawn_pose(), camera, on, look);
     if (view.mode == Mode::pose) paint_locks(work, camera, on);
   }
+  if (view.mode == Mode::pose) paint_fit_tag(work, place, on);
 }
 
 void head(Work& work, const Layout& layout) {

@@ -63,6 +63,12 @@ enum class Command {
   tool_turn,
   lock,
   copy_pose,
+  suggest,
+  tool_orbit,
+  tool_joints,
+  tool_fatness,
+  set_key,
+  new_clip,
   reset,
 };
 

@@ -149,7 +149,7 @@ void export_sheet(Work& work, const Rect& place) {
   Look primary;
   primary.primary = true;
   primary.icon = icon::kDownload;
-  const bool waits = work.view.wish.waits && work.jobs.busy();
+  const bool waits = work.view.wish.waits && work.busy();
   primary.enabled = work.built != nullptr && !waits;
   const std::string file = export_name(work, formats[chosen]);
   if (button("Export " + file, foot.cut_top(44), primary)) {

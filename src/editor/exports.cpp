@@ -13,7 +13,7 @@ namespace {
 
 Result<std::string> as_glb(const Work& work) {
   const ExportWish& wish = work.view.wish;
-  if (wish.texture && wish.without.empty()) return work.built->glb;
+  if (wish.texture && wish.without.empty() && !work.built->clips_edited) return work.built->glb;
   Model model = work.built->model;
   if (!wish.texture) {
     model.texture.reset();

@@ -96,7 +96,7 @@ void open_example(Work& work, const std::string& name, bool greet) {
     }
     Result<Built> built = built_from(example->glb, example->document);
     if (!built) return complain(work, built.error());
-    built->revision = work.history.revision();
+    built->source = work.document();
     show_built(work, std::move(*built));
     work.view.welcome = greet;
     work.view.playing = greet;

@@ -9,7 +9,8 @@
 namespace artisketch {
 namespace {
 
-constexpr float kHairs = 7;  // points from one to the next
+constexpr float kHairs = 7;      // points from one to the next
+constexpr double kLongest = 32;  // pixels; what is farther off needs no exact hair
 constexpr unsigned kAmber = 0xE58A00, kRed = 0xDB3434, kInk = 0x1C2025;
 
 void paint_hairs(const FitMarks& marks, const OnScreen& on) {
@@ -21,8 +22,8 @@ void paint_hairs(const FitMarks& marks, const OnScreen& on) {
       const double off = p.off();
       if (off <= kOff || since < kHairs) continue;
       since = 0;
-      draw().AddLine(on.of(p.at), on.of(p.outline), rgb(off > kFarOff ? kRed : kAmber, 0.95f),
-                     1.5f);
+      const Vec2 end = p.at + std::min(1.0, kLongest / off) * (p.outline - p.at);
+      draw().AddLine(on.of(p.at), on.of(end), rgb(off > kFarOff ? kRed : kAmber, 0.95f), 1.5f);
     }
   }
 }
@@ -39,9 +40,16 @@ void paint_edge(const FitMarks& marks, const OnScreen& on) {
   }
 }
 
+// Of the pose as shown; pixels.
+double off_here(const Work& work, int joint) {
+  const bool theirs = work.proposal && work.proposal->theirs();
+  return theirs ? distance_in(work.proposal->fits, joint, work.view.frame)
+                : distance_of(work, joint, work.view.frame);
+}
+
 // What the longest stretch belongs to, and how far it is off, beside it.
 void paint_tag(const Work& work, const PartMarks& part, const Rect& place, const OnScreen& on) {
-  const double off = distance_of(work, part.joint, work.view.frame);
+  const double off = off_here(work, part.joint);
   const std::string words =
       part_words(work, part.joint) + " " + std::to_string(int(std::lround(off))) + " px off";
   const float width = text_width(Font::caption_bold, words) + 36, height = 26;
@@ -59,18 +67,28 @@ void paint_tag(const Work& work, const PartMarks& part, const Rect& place, const
   write(tag, Font::caption_bold, rgb(0xE8EAED), words);
 }
 
+// While a pose is dragged the parts of a moment ago tell enough; after a leap they tell nothing.
+bool tell(const Work& work) {
+  return work.live.revision == work.history.revision() || ImGui::IsMouseDown(ImGuiMouseButton_Left);
+}
+
 }  // namespace
 
-void paint_fit_marks(Work& work, const Rect& place, const OnScreen& on) {
+void paint_fit_marks(Work& work, const OnScreen& on) {
+  if (!tell(work)) return;
   const std::vector<PartMarks>& parts = marks_of_drawing(work);
+  for (const PartMarks& part : parts) paint_hairs(part.marks, on);
+  for (const PartMarks& part : parts) paint_edge(part.marks, on);
+}
+
+void paint_fit_tag(Work& work, const Rect& place, const OnScreen& on) {
+  if (!tell(work)) return;
   const PartMarks* longest = nullptr;
-  for (const PartMarks& part : parts) {
-    paint_hairs(part.marks, on);
-    if (fit_of(work, part.joint, work.view.frame) != Fit::off) continue;
+  for (const PartMarks& part : marks_of_drawing(work)) {
+    if (off_here(work, part.joint) <= kOff) continue;
     if (part.marks.stretch > 0 && (!longest || part.marks.stretch > longest->marks.stretch))
       longest = &part;
   }
-  for (const PartMarks& part : parts) paint_edge(part.marks, on);
   if (longest) paint_tag(work, *longest, place, on);
 }
 

@@ -51,6 +51,24 @@ Model rigid_model(const Document& document, const std::vector<PartMesh>& parts) 
   return model;
 }
 
+// The document at the poses that the model was made at.
+Document at_models_poses(Document document, const Document& made) {
+  if (made.frames.size() != document.frames.size() ||
+      made.skeleton.size() != document.skeleton.size())
+    return document;
+  for (std::size_t f = 0; f < document.frames.size(); ++f) {
+    document.frames[f].pose = made.frames[f].pose;
+    document.frames[f].scale = made.frames[f].scale;
+  }
+  return document;
+}
+
+// What the parts are wanted of.
+Document wanted(const Work& work) {
+  return work.live.of_result ? at_models_poses(work.document(), work.built->document)
+                             : work.document();
+}
+
 bool same_skeleton(const Skeleton& a, const Skeleton& b) {
   return a.size() == b.size() &&
          std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(),
@@ -65,11 +83,15 @@ void keep_live(Work& work) {
   if (live.model && !same_skeleton(live.model->model.skeleton, work.document().skeleton))
     live = Live();
   if (work.jobs.busy() || work.view.welcome) return;
+  const bool of_result =
+      work.built && work.view.mode == Mode::result && work.view.tool() == Tool::fatness;
+  if (live.of_result != of_result) live.revision = -1;
+  live.of_result = of_result;
   if (live.revision != revision) {
     if (drawn_joints(work.document()).empty())
       live = Live();
     else
-      ask_for_parts(work, work.document(), false);
+      ask_for_parts(work, wanted(work), false);
   } else if (work.proposal && work.proposal->fits.empty()) {
     ask_for_parts(work, work.proposal->document, true);
   }
@@ -83,8 +105,14 @@ void take_parts(Work& work, Result<JobResult> outcome) {
     return;
   }
   if (live.of_proposal) {
-    if (work.proposal && work.proposal->revision == work.running_revision)
-      work.proposal->fits = std::move(outcome->fits);
+    if (!work.proposal || work.proposal->revision != work.running_revision) return;
+    Proposal& proposal = *work.proposal;
+    proposal.fits = std::move(outcome->fits);
+    proposal.parts = std::move(outcome->parts);
+    if (!proposal.parts.empty())
+      proposal.model = std::make_shared<Built>(
+          built_of(rigid_model(proposal.document, proposal.parts), proposal.document));
+    live.marks_stale = true;
     return;
   }
   live.revision = work.running_revision;
@@ -92,10 +120,10 @@ void take_parts(Work& work, Result<JobResult> outcome) {
   live.fits = std::move(outcome->fits);
   live.marks_stale = true;
   const bool first = !live.model && !work.built;
+  const Document document = wanted(work);
   live.model.reset();
-  if (live.parts.empty() || live.parts.back().joint >= work.document().skeleton.size()) return;
-  live.model =
-      std::make_shared<Built>(built_of(rigid_model(work.document(), live.parts), work.document()));
+  if (live.parts.empty() || live.parts.back().joint >= document.skeleton.size()) return;
+  live.model = std::make_shared<Built>(built_of(rigid_model(document, live.parts), document));
   if (first) look_at(work, live.model->model);
 }
 
@@ -103,20 +131,22 @@ const std::vector<PartMarks>& marks_of_drawing(Work& work) {
   Live& live = work.live;
   const Pose pose = work.drawn_pose();
   const long revision = work.history.revision();
+  const bool theirs = work.proposal && work.proposal->theirs();
   const auto same_turn = [](const Quat& a, const Quat& b) { return a.coeffs() == b.coeffs(); };
-  if (!live.marks_stale && live.marks_revision == revision && live.marks_frame == work.view.frame &&
-      live.marks_pose.root_position == pose.root_position &&
+  if (!live.marks_stale && live.marks_theirs == theirs && live.marks_revision == revision &&
+      live.marks_frame == work.view.frame && live.marks_pose.root_position == pose.root_position &&
       std::equal(pose.rotations.begin(), pose.rotations.end(), live.marks_pose.rotations.begin(),
                  live.marks_pose.rotations.end(), same_turn))
     return live.marks;
   live.marks_stale = false;
   live.marks_revision = revision;
   live.marks_frame = work.view.frame;
+  live.marks_theirs = theirs;
   live.marks_pose = pose;
   live.marks.clear();
   const std::vector<Transform> motions = skinning_transforms(work.document().skeleton, pose);
   const FrameCamera camera = frame_camera(work.document(), work.view.frame);
-  for (const PartMesh& part : live.parts) {
+  for (const PartMesh& part : theirs ? work.proposal->parts : live.parts) {
     if (part.joint >= int(motions.size())) continue;
     FitMarks marks = fit_marks(part.mesh, motions[std::size_t(part.joint)], camera, work.frame(),
                                part.joint, kOff);

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "document/edit.h"
-#include "document/posing.h"
 #include "editor/panels.h"
+#include "editor/tools.h"
 
 namespace artisketch {
 
@@ -51,37 +51,6 @@ void navigate(Orbit& orbit, const Fingers& fingers, const Rect& place, bool free
     orbit.yaw -= 0.01 * io.MouseDelta.x;
     orbit.pitch = std::clamp(orbit.pitch + 0.01 * io.MouseDelta.y, -1.5, 1.5);
   }
-}
-
-// A drag that begins on a joint poses the model; gives whether it did.
-bool drag_joints(Work& work, const Eye& eye, const std::vector<Vec3>& joints) {
-  int& dragged = work.model_joint;
-  const ImGuiIO& io = ImGui::GetIO();
-  constexpr float kReach = 12;
-  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsWindowHovered()) {
-    float best = kReach;
-    for (int j = 0; j < int(joints.size()); ++j) {
-      const ImVec2 p = eye.project(joints[std::size_t(j)]);
-      const float apart = std::hypot(p.x - io.MousePos.x, p.y - io.MousePos.y);
-      if (apart >= best) continue;
-      best = apart;
-      dragged = j;
-    }
-  }
-  if (!io.MouseDown[0]) dragged = -1;
-  if (dragged < 0) return false;
-  if (!ImGui::IsMouseDragging(ImGuiMouseButton_Left)) return true;
-  // At its own depth, where the pointer is.
-  Eigen::Vector4d clip = eye.clip * joints[std::size_t(dragged)].homogeneous();
-  clip.x() = clip.w() * (2 * (io.MousePos.x - eye.place.x) / eye.place.w - 1);
-  clip.y() = clip.w() * (1 - 2 * (io.MousePos.y - eye.place.y) / eye.place.h);
-  const Vec3 target = Vec3((eye.clip.inverse() * clip).hnormalized()) - work.shown_footing();
-  work.view.playing = false;
-  work.view.joint = dragged;
-  const Skeleton& skeleton = work.built->model.skeleton;
-  work.view.posed =
-      with_joint_at(skeleton, work.shown_pose(), dragged, target, bones_dragged(skeleton, dragged));
-  return true;
 }
 
 void paint_joints(const Work& work, const Eye& eye, const std::vector<Vec3>& joints) {
@@ -166,7 +135,7 @@ void head(Work& work, const Layout& layout) {
     std::snprintf(seconds, sizeof seconds, ", %.1f s", clip.times.empty() ? 0 : clip.times.back());
     about = view.posed ? "your pose" : clip.name + seconds;
   } else if (work.shows_parts()) {
-    about = "parts, your pose";
+    about = work.proposal && work.proposal->theirs() ? "parts, calibrated" : "parts, your pose";
   } else if (work.built && work.has_frame()) {
     about = "posed as in " + drawing_words(work.document(), view.frame);
   }
@@ -184,7 +153,7 @@ void foot(const Work& work, const Rect& band) {
   std::string words;
   bool good = true;
   if (work.view.mode == Mode::result && work.stale()) {
-    words = "The drawings have changed since.";
+    words = "Changed since the model was made.";
     good = false;
   } else if (work.view.mode == Mode::result) {
     words = std::to_string(built.model.mesh.F.rows()) + " triangles, " +
@@ -263,9 +232,9 @@ void model_view(Work& work, const Layout& layout, float pixel_ratio) {
   std::vector<Vec3> joints;
   for (const Transform& joint : posed_joints(shown->model.skeleton, pose))
     joints.push_back(joint.translation() + shift);
-  const bool posing =
-      work.built && work.view.mode == Mode::result && work.view.tool() == Tool::pose;
-  const bool grabbed = posing && drag_joints(work, eye, joints);
+  const bool result = work.built && work.view.mode == Mode::result;
+  const bool posing = result && work.view.tool() == Tool::pose;
+  const bool grabbed = result && use_result_tool(work, eye, pose, shift);
   if (work.view.model_bones || posing) paint_joints(work, eye, joints);
   Rect turning = place;
   if (!layout.tablet)

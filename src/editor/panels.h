@@ -15,13 +15,13 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio);
 void model_view(Work& work, const Layout& layout, float pixel_ratio);
 void inspector(Work& work, const Layout& layout);
 void parts_panel(Work& work, Rect place);  // Outline: which part is outlined where
+// How far a joint's own bone leans out of the paper: "50° away".
+std::string lean_words(const Work& work, int joint);
 // A joint's name as people read it, its side smaller.
 void part_name(Rect row, const std::string& name, bool chosen);
 void outline_panel(Work& work, Rect place);
 void skeleton_panel(Work& work, Rect place);
 void template_cards(Work& work, Rect place, int columns);
-// How far a joint's own bone leans out of the paper: "50° away".
-std::string lean_words(const Work& work, int joint);
 void pose_panel(Work& work, Rect place);  // Pose: the calibration's proposal
 void export_sheet(Work& work, const Rect& place);
 void drawing_strip(Work& work, const Layout& layout);
@@ -37,7 +37,8 @@ void main_menu(Work& work, const Rect& button);
 void use_tool(Work& work, const Rect& place, const OnScreen& on);
 
 // Over the drawing in Pose: where the model's edge and the outlines part ways.
-void paint_fit_marks(Work& work, const Rect& place, const OnScreen& on);
+void paint_fit_marks(Work& work, const OnScreen& on);
+void paint_fit_tag(Work& work, const Rect& place, const OnScreen& on);  // the worst of them
 
 // Beside the body in Pose: the ball that turns it, its side view, the drawings to copy from.
 void pose_insets(Work& work, const Layout& layout, float pixel_ratio);

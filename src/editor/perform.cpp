@@ -10,7 +10,9 @@
 #include "editor/actions.h"
 #include "editor/live.h"
 #include "editor/outline_commands.h"
+#include "editor/panels.h"
 #include "editor/pointer.h"
+#include "editor/tools.h"
 #include "files/document_file.h"
 
 namespace artisketch {
@@ -49,6 +51,7 @@ bool available(const Work& work, Command command) {
     case Command::mend:
       return outline_available(work, command);
     case Command::remove:
+      if (view.mode == Mode::result) return view.clip > 0 && view.key >= 0;
       return outline_available(work, command) || (view.mode == Mode::skeleton && view.joint >= 0);
     case Command::rename:
       return view.mode == Mode::skeleton && view.joint >= 0;
@@ -59,6 +62,11 @@ bool available(const Work& work, Command command) {
       return view.mode == Mode::pose && view.joint > 0 && work.has_frame();
     case Command::lock:
       return view.mode == Mode::pose && view.joint >= 0;
+    case Command::suggest:
+      return view.mode == Mode::pose && work.has_frame() && work.frame().contours.size() > 1;
+    case Command::set_key:
+    case Command::new_clip:
+      return view.mode == Mode::result && work.built;
     case Command::copy_pose:
       return view.mode == Mode::pose && work.document().frames.size() > 1;
     case Command::reset:
@@ -105,6 +113,8 @@ void step_back(Work& work) {
   View& view = work.view;
   if (work.busy()) {
     work.jobs.cancel();
+  } else if (work.bend.frame >= 0) {
+    work.bend = {};
   } else if (work.outline) {
     work.outline.reset();
   } else if (!work.stroke.empty()) {
@@ -324,6 +334,8 @@ void perform(Work& work, Command command) {
     case Command::remove:
       if (view.mode == Mode::skeleton)
         delete_joint(work);
+      else if (view.mode == Mode::result)
+        remove_key(work);
       else
         outline_command(work, command);
       break;
@@ -350,6 +362,24 @@ void perform(Work& work, Command command) {
                   with_lock(work.document(), view.joint, !locked));
       break;
     }
+    case Command::tool_orbit:
+      if (view.mode == Mode::result) arm(work, Tool::orbit);
+      break;
+    case Command::tool_joints:
+      if (view.mode == Mode::result) arm(work, Tool::joints);
+      break;
+    case Command::tool_fatness:
+      if (view.mode == Mode::result) arm(work, Tool::fatness);
+      break;
+    case Command::set_key:
+      set_key(work);
+      break;
+    case Command::new_clip:
+      new_clip(work);
+      break;
+    case Command::suggest:
+      suggest_pose(work);
+      break;
     case Command::copy_pose:
       view.choosing_pose = true;
       break;
@@ -375,6 +405,7 @@ void start_job(Work& work, JobRequest::Kind kind) {
   if (work.document().settings.mirror) request.options.mirror = *work.document().settings.mirror;
   work.running = kind;
   work.running_revision = work.history.revision();
+  work.running_document = work.document();
   // Whoever starts a job from the welcome goes on with its document.
   if (work.view.welcome) set_mode(work, Mode::result);
   work.jobs.start(std::move(request));
@@ -383,7 +414,8 @@ void start_job(Work& work, JobRequest::Kind kind) {
 void show_built(Work& work, Built built) {
   const bool first = !work.built;
   work.built = std::make_shared<Built>(std::move(built));
-  work.view.clip = 0;
+  if (!work.view.welcome) work.follow_document();
+  if (work.view.clip >= int(work.built->model.clips.size())) work.view.clip = 0;
   work.view.posed.reset();
   if (first) look_at(work, work.built->model);
 }
@@ -401,7 +433,8 @@ void take_model(Work& work, JobResult result) {
   }
   built->fits = std::move(result.fits);
   built->warnings = std::move(result.warnings);
-  built->revision = work.running_revision;
+  built->source = work.running_document;
+  built->spheres = std::move(result.spheres);
   Toast toast;
   toast.words = "The model is ready.";
   if (!built->warnings.empty()) toast.words += " " + built->warnings[0];

@@ -27,13 +27,20 @@ float apart(ImVec2 a, ImVec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-bool item_dragged() {
-  if (!ImGui::IsItemActive() && !ImGui::IsItemDeactivated()) return false;
+bool pointer_dragged() {
+  if (!pointer_holds()) return false;
   const ImGuiIO& io = ImGui::GetIO();
-  // The last move may come in one frame with the release.
   const float way = apart(io.MousePos, io.MouseClickedPos[ImGuiMouseButton_Left]);
   return std::max(way * way, io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left]) >=
          io.MouseDragThreshold * io.MouseDragThreshold;
+}
+
+bool pointer_holds() {
+  return ImGui::IsMouseDown(ImGuiMouseButton_Left) || ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+}
+
+bool item_dragged() {
+  return (ImGui::IsItemActive() || ImGui::IsItemDeactivated()) && pointer_dragged();
 }
 
 std::string part_words(const Work& work, int joint) {

@@ -20,6 +20,10 @@ Pointer pointer_on(const Rect& place, const OnScreen& on);
 
 // Whether the pointer drags the control shown last, up to its release.
 bool item_dragged();
+// The same of the pointer itself. The last move may come in one frame with the release: that frame
+// still holds.
+bool pointer_dragged();
+bool pointer_holds();
 
 float apart(ImVec2 a, ImVec2 b);
 

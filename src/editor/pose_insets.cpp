@@ -158,6 +158,7 @@ void pose_insets(Work& work, const Layout& layout, float pixel_ratio) {
   poses_to_copy(work, canvas);
   if (work.document().skeleton.size() == 0 || !work.view.layer().bones) return;
   turning_ball(work, canvas);
+  bend_chooser(work, canvas, 2 * kBallGround + 2 * kMargin);
   const float height = kSide + kSideHead;
   // On tablets the model stands in the lower corner.
   const float y = layout.tablet ? canvas.y + 68 : canvas.bottom() - kMargin - height;

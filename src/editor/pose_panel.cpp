@@ -25,7 +25,7 @@ double farthest_off(const std::vector<FrameFit>& fits, int frame) {
 void proposal_card(Work& work, Rect& place) {
   const Theme& t = theme();
   Proposal& proposal = *work.proposal;
-  const Rect card = place.cut_top(174).inset(12, 0);
+  const Rect card = place.cut_top(180).inset(12, 0);
   draw().AddRectFilled(card.min(), card.max(), t.panel, kRadiusCard);
   draw().AddRect(card.min(), card.max(), t.accent, kRadiusCard, 0, 1.5f);
   Rect column = card.inset(12);
@@ -48,7 +48,7 @@ void proposal_card(Work& work, Rect& place) {
                                         : "Largest turn: " + part_words(work, most) + ", " +
                                               std::to_string(int(std::lround(angle))) + "°";
   write(column.cut_top(18), Font::caption, t.muted, words);
-  column.cut_top(4);
+  column.cut_top(10);
   std::vector<std::pair<std::string, Look>> choices(2);
   choices[0].first = "Mine";
   choices[1].first = "Calibrated";
@@ -177,13 +177,15 @@ void pose_panel(Work& work, Rect place) {
     return;
   }
   Rect buttons = place.cut_top(36).inset(12, 0);
-  command_button(work, Command::calibrate, buttons.cut_left((buttons.w - 8) / 2));
+  command_button(work, Command::suggest, buttons.cut_left((buttons.w - 8) / 2));
   Look copy;
   copy.icon = icon::kContentCopy;
   copy.hint = words_of(Command::copy_pose).hint;
   copy.key = "C";
   copy.enabled = available(work, Command::copy_pose);
   if (button("Copy from", buttons.cut_right(buttons.w - 8), copy)) work.ask(Command::copy_pose);
+  place.cut_top(8);
+  command_button(work, Command::calibrate, place.cut_top(36).inset(12, 0));
   place.cut_top(14);
   const bool first = work.view.frame == 0 && !work.document().calibration.free_first_frame;
   const float used = write_lines(

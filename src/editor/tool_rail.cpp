@@ -26,10 +26,12 @@ std::vector<Entry> tools_of(Mode mode) {
     case Mode::pose:
       return {{Command::tool_pose, Tool::pose},   {Command::tool_turn, Tool::turn},
               {Command::tool_twist, Tool::twist}, {Command::flip, std::nullopt},
-              {Command::lock, std::nullopt},      {Command::copy_pose, std::nullopt},
-              {Command::reset, std::nullopt}};
+              {Command::lock, std::nullopt},      {Command::suggest, std::nullopt},
+              {Command::copy_pose, std::nullopt}, {Command::reset, std::nullopt}};
     case Mode::result:
-      return {{Command::tool_pose, Tool::pose}, {Command::reset, std::nullopt}};
+      return {{Command::tool_orbit, Tool::orbit},   {Command::tool_pose, Tool::pose},
+              {Command::tool_joints, Tool::joints}, {Command::tool_fatness, Tool::fatness},
+              {Command::set_key, std::nullopt},     {Command::reset, std::nullopt}};
   }
   return {};
 }

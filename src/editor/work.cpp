@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "document/animate.h"
 #include "document/edit.h"
 #include "files/document_file.h"
 #include "files/gltf.h"
@@ -53,22 +54,27 @@ Result<Built> built_from(const std::string& glb, const std::string& document) {
   return built;
 }
 
-Built built_of(Model model, Document document) {
-  Built built{.model = std::move(model),
-              .document = std::move(document),
-              .fits = {},
-              .warnings = {},
-              .glb = {},
-              .footing = {},
-              .picture = std::make_unique<ModelPicture>()};
-  for (const Clip& clip : built.model.clips) {
-    std::vector<Vec3>& footing = built.footing.emplace_back();
-    for (const Pose& pose : clip.poses) {
-      const Box3 box = bounds(
-          posed_vertices(built.model.mesh.V, built.model.weights, built.model.skeleton, pose));
-      footing.push_back(-Vec3(box.center().x(), box.min().y(), box.center().z()));
+namespace {
+
+// Per clip and key: what sets the posed model's feet on the middle of the ground.
+std::vector<std::vector<Vec3>> footing_of(const Model& model) {
+  std::vector<std::vector<Vec3>> footing(model.clips.size());
+  for (std::size_t c = 0; c < model.clips.size(); ++c)
+    for (const Pose& pose : model.clips[c].poses) {
+      const Box3 box = bounds(posed_vertices(model.mesh.V, model.weights, model.skeleton, pose));
+      footing[c].push_back(-Vec3(box.center().x(), box.min().y(), box.center().z()));
     }
-  }
+  return footing;
+}
+
+}  // namespace
+
+Built built_of(Model model, Document document) {
+  Built built{};
+  built.model = std::move(model);
+  built.document = std::move(document);
+  built.picture = std::make_unique<ModelPicture>();
+  built.footing = footing_of(built.model);
   built.picture->load(built.model);
   return built;
 }
@@ -94,13 +100,49 @@ void Work::settle() {
   view.frame = std::clamp(view.frame, 0, std::max(0, int(now.frames.size()) - 1));
   if (view.joint >= now.skeleton.size()) view.joint = -1;
   if (!has_frame() || view.contour >= int(frame().contours.size())) view.contour = -1;
+  follow_document();
   if (proposal && proposal->revision != history.revision()) proposal.reset();
   if (outline && outline->frame >= int(now.frames.size())) outline.reset();
 }
 
+void Work::follow_document() {
+  if (!built) return;
+  built->fresh = same_model(document(), built->source);
+  std::vector<Clip> clips = clips_of(document());
+  Model& model = built->model;
+  std::vector<Clip> own(model.clips.begin() + std::min<std::ptrdiff_t>(1, std::ssize(model.clips)),
+                        model.clips.end());
+  clips.erase(clips.begin());
+  std::erase_if(clips, [&](const Clip& clip) {
+    return clip.poses.empty() || int(clip.poses[0].rotations.size()) != model.skeleton.size();
+  });
+  const auto same = [](const Clip& a, const Clip& b) {
+    const auto same_pose = [](const Pose& p, const Pose& q) {
+      return p.root_position == q.root_position &&
+             std::equal(p.rotations.begin(), p.rotations.end(), q.rotations.begin(),
+                        q.rotations.end(),
+                        [](const Quat& x, const Quat& y) { return x.coeffs() == y.coeffs(); });
+    };
+    return a.name == b.name && a.times == b.times &&
+           std::equal(a.poses.begin(), a.poses.end(), b.poses.begin(), b.poses.end(), same_pose);
+  };
+  if (!std::equal(own.begin(), own.end(), clips.begin(), clips.end(), same)) {
+    model.clips.resize(std::min<std::size_t>(1, model.clips.size()));
+    model.clips.insert(model.clips.end(), clips.begin(), clips.end());
+    built->footing = footing_of(model);
+    built->clips_edited = true;
+  }
+  if (view.clip >= int(model.clips.size())) view.clip = 0, view.key = -1;
+}
+
 const Built* Work::shown() const {
   const bool result = view.mode == Mode::result || view.welcome;
+  // A part's fatness shows while it is dragged.
+  if (result && !view.welcome && view.tool() == Tool::fatness && stale() && live.model)
+    return live.model.get();
   if (built && (result || !stale() || !live.model)) return built.get();
+  if (view.mode == Mode::pose && proposal && proposal->model && proposal->theirs())
+    return proposal->model.get();
   return live.model.get();
 }
 
@@ -109,8 +151,9 @@ Pose Work::shown_pose() const {
   const std::vector<Clip>& clips = model.model.clips;
   if (view.mode == Mode::result || view.welcome) {
     if (view.posed) return *view.posed;
-    return clips.empty() ? rest_pose(model.model.skeleton)
-                         : pose_at(clips[std::size_t(view.clip)], view.time);
+    return clips.empty()
+               ? rest_pose(model.model.skeleton)
+               : pose_at(clips[std::min(std::size_t(view.clip), clips.size() - 1)], view.time);
   }
   if (shows_parts() && has_frame()) return drawn_pose();
   if (clips.empty() || clips[0].poses.empty()) return rest_pose(model.model.skeleton);
@@ -120,7 +163,8 @@ Pose Work::shown_pose() const {
 Vec3 Work::shown_footing() const {
   const Built& model = *shown();
   if (model.footing.empty() || model.footing[0].empty()) return Vec3::Zero();
-  if (view.mode == Mode::result || view.welcome) return footing_at(model, view.clip, view.time);
+  if (view.mode == Mode::result || view.welcome)
+    return footing_at(model, std::min(view.clip, int(model.footing.size()) - 1), view.time);
   return model.footing[0][std::min(std::size_t(view.frame), model.footing[0].size() - 1)];
 }
 
@@ -140,7 +184,7 @@ Pose Work::drawn_pose() const {
     return rest;
   }
   const Pose& mine = frame().pose;
-  if (!proposal || proposal->shown == proposal->peeking) return mine;
+  if (!proposal || !proposal->theirs()) return mine;
   const Pose& theirs = proposal->document.frames[std::size_t(view.frame)].pose;
   const double t = std::clamp((ImGui::GetTime() - proposal->since) / kCalibrating, 0.0, 1.0);
   return pose_at({"", {0, 1}, {mine, theirs}}, t * t * (3 - 2 * t));
@@ -154,7 +198,8 @@ double distance_in(const std::vector<FrameFit>& fits, int joint, int frame) {
 }
 
 double distance_of(const Work& work, int joint, int frame) {
-  if (work.live.model) return distance_in(work.live.fits, joint, frame);
+  const bool whole = work.view.mode == Mode::result && work.built;
+  if (work.live.model && !whole) return distance_in(work.live.fits, joint, frame);
   return work.built ? distance_in(work.built->fits, joint, frame) : -1;
 }
 

@@ -26,7 +26,7 @@ namespace artisketch {
 
 enum class Mode { outline, skeleton, pose, result };
 inline constexpr int kModes = 4;
-enum class Tool { edit, draw, points, trace, cut, pose, twist, turn };
+enum class Tool { edit, draw, points, trace, cut, pose, twist, turn, orbit, joints, fatness };
 
 // A finished model, and the document at the poses that it was made from.
 struct Built {
@@ -35,7 +35,10 @@ struct Built {
   std::vector<FrameFit> fits;
   std::vector<std::string> warnings;
   std::string glb;
-  long revision = -1;  // of the document that it was made from
+  Document source;                   // that it was made from
+  std::vector<JointSphere> spheres;  // that join its parts
+  bool fresh = true;                 // the document makes just this, as far as its shape goes
+  bool clips_edited = false;         // since the bytes were made
   // Per clip and key: moves the posed model's feet to the middle of the ground.
   std::vector<std::vector<Vec3>> footing;
   std::unique_ptr<ModelPicture> picture;
@@ -55,11 +58,13 @@ struct Live {
   std::vector<FrameFit> fits;
   long revision = -1;        // that they were made from
   bool of_proposal = false;  // what is under way: the proposal's fit rather than the parts
+  bool of_result = false;    // at the model's poses rather than the person's: for its fatness
   // Marks of the drawing shown last, and what they were made for.
   std::vector<PartMarks> marks;
   bool marks_stale = true;
   long marks_revision = -1;
   int marks_frame = -1;
+  bool marks_theirs = false;
   Pose marks_pose;
 };
 
@@ -71,12 +76,24 @@ Vec3 footing_at(const Built& built, int clip, double time);
 struct Proposal {
   Document document;
   std::vector<PartCoverage> coverage;
-  std::vector<FrameFit> fits;  // of the calibrated poses; empty until they are known
-  std::vector<bool> taken;     // per joint
-  bool shown = true;           // the calibrated pose rather than the person's own
-  bool peeking = false;        // the other one, as long as a key is held
-  double since = 0;            // when it was shown: the change is animated
+  // At the calibrated poses; nothing until they are made.
+  std::vector<FrameFit> fits;
+  std::vector<PartMesh> parts;
+  std::shared_ptr<Built> model;
+  std::vector<bool> taken;  // per joint
+  bool shown = true;        // the calibrated pose rather than the person's own
+  bool peeking = false;     // the other one, as long as a key is held
+  bool theirs() const { return shown != peeking; }
+  double since = 0;  // when it was shown: the change is animated
   long revision = -1;
+};
+
+// Which way a bone of a suggested pose leans: the two poses to choose from.
+struct Bend {
+  int frame = -1;  // that a pose was suggested for; −1: nothing to choose
+  long revision = -1;
+  int joint = -1;
+  Pose toward, away;
 };
 
 struct Layers {
@@ -130,6 +147,7 @@ struct View {
 
   bool playing = false, looping = true;
   int clip = 0;
+  int key = -1;               // chosen, of the clip
   double time = 0;            // seconds
   std::optional<Pose> posed;  // the result as the person dragged it
 
@@ -214,13 +232,17 @@ struct Work {
   Live live;
   std::optional<Proposal> proposal;
   std::optional<NewOutline> outline;
+  Bend bend;
   Gesture gesture;
   Naming naming;
   Fingers fingers;
   int model_joint = -1;      // of the result, while it is dragged
+  bool sphere_rim = false;   // it is its sphere's rim
+  double fatness_from = 1;   // as the drag found it
   std::vector<Vec2> stroke;  // under the pointer, in the sketch's pixels
   JobRequest::Kind running = JobRequest::Kind::reconstruct;
   long running_revision = -1;
+  Document running_document;
 
   struct Crossings {
     long revision = -1;
@@ -246,22 +268,23 @@ struct Work {
   bool has_frame() const { return view.frame < int(document().frames.size()); }
   const Frame& frame() const { return document().frames[std::size_t(view.frame)]; }
   bool unsaved() const { return history.revision() != saved; }
-  bool stale() const { return !built || built->revision != history.revision(); }
+  bool stale() const { return !built || !built->fresh; }
   void ask(Command command) { asked.push_back(command); }
   void say(Toast toast) { toasts.push_back(std::move(toast)); }
   // The next state of the document, by its undo name.
   void commit(std::string undo_name, Document next);
   // The same for a gesture: its first change is a step of undo, which the others amend.
   void change(const std::string& undo_name, Document next);
-  // Keeps what is chosen within the document.
+  // Keeps what is chosen within the document, and the model's clips as the document has them.
   void settle();
+  void follow_document();
 
   // A job that the person waits for is under way.
   bool busy() const { return jobs.busy() && running != JobRequest::Kind::parts; }
   // The model in view: the whole one, or while it is out of date, or not there yet, its parts.
   // Null: neither.
   const Built* shown() const;
-  bool shows_parts() const { return shown() && shown() == live.model.get(); }
+  bool shows_parts() const { return shown() && shown() != built.get(); }
 
   // The pose that the model shows: of the clip, the person's, or the drawing's.
   Pose shown_pose() const;

@@ -57,9 +57,9 @@ class Window:
         raise AssertionError(f"waited {seconds} s for {why}; the state is {self.state()}")
 
     def control(self, label):
-        found = [w for w in self.widgets() if w["label"] == label]
-        assert found, f"no control {label!r} among {sorted(w['label'] for w in self.widgets())}"
-        return found[0]
+        def named():
+            return [w for w in self.widgets() if w["label"] == label]
+        return self.wait(named, 5, f"the control {label!r}")[0]
 
     def x(self, *words):
         subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True)

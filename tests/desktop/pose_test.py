@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Posing, fit marks and the result, through the pointer."""
-import math
+import math, time
 
 from editor_window import Window, examples, run
 
@@ -85,6 +85,25 @@ def changes_depth_from_the_side_and_copies():
     window.close()
 
 
+def suggests_and_asks_which_way():
+    window = in_pose()
+    window.click("Reset tool")
+    window.wait(lambda: window.state()["undo"] == "Reset pose", why="the rest pose")
+    window.picture("suggest-before")
+    hand = joint(window, "Hand R")
+    window.key("s")
+    window.wait(lambda: window.state()["undo"] == "Suggest pose", why="the suggestion")
+    assert not near(joint(window, "Hand R"), hand, 20), "the hand stayed"
+    way = window.control("Toward you")
+    window.picture("suggest")
+    window.click("Away" if way["active"] else "Toward you")
+    window.wait(lambda: window.state()["undo"].startswith("Bend "), why="the other way")
+    window.picture("suggest-other-way")
+    window.key("Escape")
+    window.wait(lambda: not any(w["label"] == "Away" for w in window.widgets()), why="Esc")
+    window.close()
+
+
 def shows_the_parts_and_where_they_miss():
     window = Window("1440x900", examples / "hero/hero.artisketch")
     window.wait(lambda: window.state()["liveParts"] == 15, why="the parts without a word")
@@ -105,5 +124,86 @@ def shows_the_parts_and_where_they_miss():
     window.close()
 
 
+def in_result(name="heart"):
+    window = Window("1440x900", examples / f"{name}/{name}.artisketch")
+    window.click("Reconstruct")
+    window.wait(lambda: window.state()["hasModel"], 60, "the model")
+    window.key("4")
+    window.wait(lambda: window.state()["mode"] == "result", why="the mode")
+    return window
+
+
+def sets_keys_and_moves_them():
+    window = in_result("hero")
+    hand = middle(window, "Pose Hand L")
+    window.drag([hand, [hand[0] + 10, hand[1] - 10], [hand[0] + 20, hand[1] - 60]])
+    window.picture("result-posed")
+    window.key("i")
+    window.wait(lambda: window.state()["undo"] == "New clip", why="a clip of one's own")
+    scale = window.control("Playhead")
+    window.x("mousemove", round(scale["x"] + scale["width"] * 0.4), round(scale["y"] + 6))
+    window.x("click", 1)
+    hand = middle(window, "Pose Hand R")
+    window.drag([hand, [hand[0] - 10, hand[1] - 10], [hand[0] - 20, hand[1] - 60]])
+    window.key("i")
+    window.wait(lambda: window.state()["undo"] == "Set key of clip 1", why="the key")
+    window.picture("result-keys")
+    x, y = middle(window, "Key 2 of clip 1")
+    window.drag([[x, y], [x - 20, y], [x - 80, y]])
+    window.wait(lambda: window.state()["undo"] == "Move key of clip 1", why="the moved key")
+    window.wait(lambda: middle(window, "Key 2 of clip 1")[0] < x - 20, 3, "its new time")
+    window.key("Delete")
+    window.wait(lambda: window.state()["undo"] == "Delete key of clip 1", why="the deleted key")
+    assert not any(w["label"] == "Key 2 of clip 1" for w in window.widgets())
+    window.key("ctrl+z")
+    window.wait(lambda: any(w["label"] == "Key 2 of clip 1" for w in window.widgets()), why="undo")
+    window.key("ctrl+e")
+    window.wait(lambda: any(w["label"] == "clip 1" for w in window.widgets()), why="the sheet")
+    window.picture("result-export")
+    window.close()
+
+
+def shapes_joints_and_fatness():
+    window = in_result("hero")
+    window.key("j")
+    window.wait(lambda: any(w["label"] == "Sphere Head" for w in window.widgets()), why="spheres")
+    window.picture("result-joints")
+    x, y = middle(window, "Sphere rim Forearm L")
+    window.drag([[x, y], [x + 4, y], [x + 14, y]])
+    window.wait(lambda: window.state()["undo"] == "Joint of Forearm L", why="the sphere")
+    window.wait(lambda: middle(window, "Sphere rim Forearm L")[0] > x + 5, 3, "the larger sphere")
+    window.key("w")
+    window.wait(lambda: any(w["label"] == "Fatness of Head" for w in window.widgets()),
+                why="the parts")
+    x, y = middle(window, "Fatness of Hips")
+    window.drag([[x, y], [x + 20, y], [x + 100, y]])
+    window.wait(lambda: window.state()["undo"] == "Fatness of Hips", why="the fatness")
+    window.wait(lambda: window.state()["liveParts"] == 15, why="the parts")
+    window.picture("result-fatness")
+    window.close()
+
+
+def calibrates_compares_and_keeps():
+    window = in_pose()
+    before = joint(window, "Hand R")
+    window.key("shift+c")
+    window.wait(lambda: any(w["label"] == "Keep calibrated" for w in window.widgets()), 30,
+                "the proposal")
+    window.wait(lambda: not near(joint(window, "Hand R"), before, 1), why="the calibrated pose")
+    window.wait(lambda: "Measuring" not in str(window.widgets()) and not window.state()["busy"])
+    time.sleep(1)
+    window.picture("calibrated")
+    window.x("keydown", "space")
+    window.wait(lambda: near(joint(window, "Hand R"), before, 0.5), why="one's own pose")
+    window.x("keyup", "space")
+    window.wait(lambda: not near(joint(window, "Hand R"), before, 1), why="the calibrated one")
+    window.click("Take Hand R")
+    window.click("Keep calibrated")
+    window.wait(lambda: window.state()["undo"] == "Keep calibrated", why="the kept pose")
+    window.picture("calibrated-kept")
+    window.close()
+
+
 run(drags_a_limb, turns_twists_flips_and_locks, changes_depth_from_the_side_and_copies,
-    shows_the_parts_and_where_they_miss)
+    suggests_and_asks_which_way, calibrates_compares_and_keeps,
+    shows_the_parts_and_where_they_miss, sets_keys_and_moves_them, shapes_joints_and_fatness, seconds=400)
