@@ -77,6 +77,16 @@ std::vector<Candidate> joint_candidates(const Document& document, int frame, con
     result.push_back({joint, reason});
   };
   if (scored.empty()) return result;
+  // A whole figure, to be cut, is the root's: what is cut off goes to the bones in it.
+  int within = 0;
+  for (const Scored& s : scored)
+    within += line.closed &&
+              std::all_of(bones[s.joint].begin(), bones[s.joint].end(), [&](const DrawnBone& bone) {
+                return contains(line, (bone.from + bone.to) / 2);
+              });
+  constexpr double kWhole = 0.4;  // of the bones: a rest pose's arms may lie beside the drawing's
+  if (scored.size() > 3 && within >= kWhole * double(scored.size()) && !bones[0].empty())
+    propose(0, "holds most bones");
   const int nearest = scored[0].joint;
   propose(nearest, "nearest bone");
   const Likeness own = likeness(line);

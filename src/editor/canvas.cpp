@@ -216,8 +216,10 @@ void crossing_chips(Work& work, const Rect& place) {
     draw().AddCircle(at, 9, t.error, 0, 2);
     constexpr const char* kWords = "Crosses itself";
     const float words = text_width(Font::caption, kWords);
-    Rect chip{at.x + 16, at.y - 16, words + 84, 32};
-    if (chip.right() > place.right()) chip.x = at.x - 16 - chip.w;
+    // Below the mark, clear of the chip that a new outline carries at its side.
+    Rect chip{at.x - (words + 84) / 2, at.y + (mark.contour < 0 ? 40.0f : 14.0f), words + 84, 32};
+    chip.x = std::clamp(chip.x, place.x + 4, std::max(place.x + 4, place.right() - chip.w - 4));
+    chip.y = std::min(chip.y, place.bottom() - 36);
     shadow(chip, kRadius);
     draw().AddRectFilled(chip.min(), chip.max(), t.raised, kRadius);
     Rect row = chip.inset(10, 4);
@@ -268,9 +270,13 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio) {
   draw().PushClipRect(place.min(), place.max(), true);
   paint_sketch(work, place, pixel_ratio);
   if (work.view.mode == Mode::pose) pose_insets(work, layout, pixel_ratio);
-  // Before the tool, whose place the marks' buttons lie in.
+  // The marks' buttons come before the tool, in whose place they lie, and are drawn over it.
+  draw().ChannelsSplit(2);
+  draw().ChannelsSetCurrent(1);
   if (work.view.mode == Mode::outline) crossing_chips(work, place);
+  draw().ChannelsSetCurrent(0);
   use_tool(work, place, {work.view.origin, work.view.zoom});
+  draw().ChannelsMerge();
   draw().PopClipRect();
   head(work, layout);
   if (!layout.tablet) {

@@ -224,7 +224,7 @@ void cut_tool(Work& work, const Pointer& p, const OnScreen& on) {
     work.stroke = {p.at, p.at};
   }
   if (work.stroke.size() < 2) return;
-  if (p.held) work.stroke[1] = p.at;
+  if (p.held || p.released) work.stroke[1] = p.at;
   const Vec2 a = work.stroke[0], b = work.stroke[1];
   draw().AddLine(on.of(a), on.of(b), rgb(0xFFFFFF, 0.7f), 4.5f);
   draw().AddLine(on.of(a), on.of(b), theme().error, 2);

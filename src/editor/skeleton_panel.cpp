@@ -1,6 +1,7 @@
 // Skeleton: the chosen joint's name and its fellows, and skeletons to begin with.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "document/edit.h"
 #include "document/skeleton_edit.h"
@@ -67,7 +68,8 @@ void name_row(Work& work, Rect row) {
     row.cut_right(6);
   }
   const bool entered = text_field("Joint name", row, naming.typed, naming.begin);
-  naming.begin = false;
+  // The keyboard arrives some frames later: a window that rests must not wait for the first key.
+  if (std::exchange(naming.begin, false)) work.platform.request_frame();
   if (!entered && !ImGui::IsItemDeactivatedAfterEdit()) return;
   if (naming.typed == words.name) return;
   Document next = with_joint_renamed(work.document(), joint, naming.typed);

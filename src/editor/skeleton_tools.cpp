@@ -37,6 +37,9 @@ void skeleton_tool(Work& work, const Pointer& p, const OnScreen& on) {
   const auto screen = [&](int joint) {
     return on.of(camera.project(posed[std::size_t(joint)].translation()));
   };
+  for (int j = 0; j < int(posed.size()); ++j)
+    record("Joint " + part_words(work, j), {screen(j).x - 9, screen(j).y - 9, 18, 18}, true,
+           j == work.view.joint);
   const int under = joint_at(posed, camera, on, p.screen), chosen = work.view.joint;
   if (under >= 0 && p.hovered) draw().AddCircle(screen(under), 14, theme().accent, 0, 1.5f);
   if (p.hovered && !p.held && under < 0 && chosen >= 0) paint_next_bone(p, screen(chosen));

@@ -52,8 +52,9 @@ void trace_tool(Work& work, const Pointer& p, const OnScreen&) {
     begin(work, p.at);
   }
   const bool tracing = work.outline && work.outline->tracing && work.gesture.contour == 0;
-  if (!p.held || !tracing || !p.dragging) return;
+  // Where it is let go counts as well: a quick drag may have no frame in between.
   const double by = p.screen.x - work.gesture.from.x();
+  if (!tracing || !(p.dragging || (p.released && std::abs(by) > 4))) return;
   const double tolerance = work.outline->tracing->from * std::exp2(by / kDoubles);
   if (std::abs(std::clamp(tolerance, kLeast, 1.0) - work.view.tolerance) > 1e-6)
     trace_with(work, tolerance);

@@ -193,6 +193,14 @@ TEST(Redraw, OnlyTheStretchBetweenTheStrokesEndsChanges) {
   }
 }
 
+TEST(Candidates, AWholeFigureIsTheRootsFirst) {
+  const Polyline all{{{60, 60}, {340, 60}, {340, 140}, {60, 140}}, true};
+  const std::vector<Candidate> found = joint_candidates(figure(), 0, all);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].joint, 0);
+  EXPECT_NE(found[0].reason.find("holds most bones"), std::string::npos);
+}
+
 TEST(Candidates, TheNearestBoneComesFirstItsMirrorImageToo) {
   const Document document = figure();
   const FrameCamera camera = frame_camera(document, 0);

@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""Tracing, cutting, outlines, the skeleton and drawings on their way in, through the pointer."""
+import subprocess
+
+from editor_window import Window, examples, pictures, run
+
+
+def at(window, x, y):
+    """A pixel of the drawing in view, as it stands in the window."""
+    return window.ask(f"project {window.state()['frame']} {x} {y}")
+
+
+def click(window, place):
+    window.x("mousemove", *map(round, place))
+    window.x("click", 1)
+
+
+def middle(window, label):
+    w = window.control(label)
+    return [w["x"] + w["width"] / 2, w["y"] + w["height"] / 2]
+
+
+def labels(window):
+    return {w["label"] for w in window.widgets()}
+
+
+def undo_is(window, words):
+    window.wait(lambda: window.state()["undo"] == words, why=f"'{words}' to undo")
+
+
+def drawing(name="hero/front.png"):
+    window = Window("1440x900", examples / name)
+    window.wait(lambda: window.state()["frames"] == 1, why="the drawing")
+    return window
+
+
+def traces_and_cuts():
+    window = drawing()
+    window.key("t")
+    click(window, at(window, 8, 8))
+    window.wait(lambda: "paper" in window.state()["message"], why="what to do about paper")
+    body = at(window, 285, 600)
+    click(window, body)
+    window.wait(lambda: "Tolerance" in labels(window), why="the traced outline")
+    window.picture("trace-part")
+    window.key("Escape")
+    window.wait(lambda: "Tolerance" not in labels(window), why="Esc to let it go")
+    # All the way to the right takes in the whole figure.
+    window.drag([body, [body[0] + 90, body[1]], [body[0] + 260, body[1]]])
+    window.wait(lambda: "Tolerance" in labels(window), why="the whole figure")
+    window.picture("trace-all")
+    window.key("Tab")
+    window.key("Return")
+    window.wait(lambda: window.state()["undo"].startswith("Trace "), why="the outline")
+    whole = window.state()["undo"].removeprefix("Trace ")
+    window.key("k")
+    window.drag([at(window, 250, 345), at(window, 330, 345), at(window, 410, 345)])
+    undo_is(window, f"Cut {whole}")
+    window.picture("cut")
+    window.key("ctrl+z")
+    undo_is(window, f"Trace {whole}")
+    window.close()
+
+
+def gives_outlines_to_parts():
+    window = drawing()
+    window.key("p")
+    corners = [at(window, *p) for p in ((100, 100), (200, 100), (200, 200), (100, 200))]
+    click(window, corners[0])
+    click(window, corners[1])
+    # A dragged point is round.
+    window.drag([corners[2], [corners[2][0] - 20, corners[2][1] + 20],
+                 [corners[2][0] - 30, corners[2][1] + 30]])
+    click(window, corners[3])
+    window.picture("points")
+    click(window, corners[0])
+    window.wait(lambda: "Redraw" in labels(window), why="the new outline")
+    assert any(label.startswith("Assign ") for label in labels(window))
+    window.click("Other joint")
+    window.click("Foot L")
+    window.key("Return")
+    undo_is(window, "Draw Foot L")
+    window.click("Mirror tool")
+    undo_is(window, "Mirror Foot L")
+    window.key("bracketleft")
+    undo_is(window, "Foot R behind")
+    window.key("bracketright")
+    undo_is(window, "Foot R in front")
+    window.key("Delete")
+    undo_is(window, "Delete Foot R")
+    window.close()
+
+
+def mends_a_crossing():
+    window = drawing()
+    window.key("p")
+    for p in ((80, 80), (220, 220), (220, 80), (80, 220), (80, 80)):
+        click(window, at(window, *p))
+    window.wait(lambda: "Mend new" in labels(window), why="the ring")
+    window.picture("crosses-itself")
+    window.click("Mend new")
+    window.wait(lambda: "Mend new" not in labels(window), why="the outline mended")
+    window.key("Return")
+    window.wait(lambda: window.state()["undo"].startswith("Draw "), why="the outline")
+    assert not any(label.startswith("Mend ") for label in labels(window))
+    window.close()
+
+
+def builds_a_skeleton():
+    window = drawing("fox/side.png")
+    window.key("2")
+    window.wait(lambda: window.state()["mode"] == "skeleton", why="the mode")
+    window.click("Template Quadruped")
+    undo_is(window, "Quadruped skeleton")
+    window.picture("quadruped")
+    window.click("Template Blank")
+    window.wait(lambda: window.state()["joints"] == ["root"], why="one joint")
+    root = middle(window, "Joint Root")
+    window.drag([root, [root[0] + 5, root[1] + 5], [root[0] + 20, root[1]]])
+    undo_is(window, "Move body")
+    root = middle(window, "Joint Root")
+    click(window, [root[0] + 140, root[1] - 60])
+    undo_is(window, "Add joint")
+    assert window.state()["joints"] == ["root", "joint.L", "joint.R"], window.state()["joints"]
+    window.key("F2")
+    for letter in "wing":
+        window.key(letter)
+    window.key("Return")
+    window.wait(lambda: window.state()["joints"][1:] == ["wing.L", "wing.R"], why="the name")
+    window.picture("skeleton")
+    window.key("x")
+    click(window, [root[0] + 200, root[1] - 120])
+    window.wait(lambda: len(window.state()["joints"]) == 4, why="a joint on one side")
+    window.key("Delete")
+    window.wait(lambda: len(window.state()["joints"]) == 3, why="one joint less")
+    window.key("l")
+    window.wait(lambda: window.state()["undo"].startswith("Equalise "), why="equal lengths")
+    window.close()
+
+
+def takes_drawings_in():
+    pictures.mkdir(parents=True, exist_ok=True)
+    gif, sheet = pictures / "two.gif", pictures / "sheet.png"
+    subprocess.run(["convert", "-size", "60x80", "xc:red", "xc:blue", str(gif)], check=True)
+    front = str(examples / "hero/front.png")
+    subprocess.run(["convert", front, front, front, "+append", "-resize", "50%", str(sheet)],
+                   check=True)
+    window = Window("1440x900", gif)
+    window.wait(lambda: window.state()["frames"] == 2, why="the GIF's frames")
+    window.close()
+
+    window = Window("1440x900", sheet)
+    window.wait(lambda: "Cut it up" in labels(window), why="the question")
+    window.picture("sheet")
+    window.click("Cut it up")
+    window.wait(lambda: window.state()["frames"] == 3, why="three drawings")
+    undo_is(window, "Add 3 drawings")
+    first, last = middle(window, "Drawing card 1"), middle(window, "Drawing card 3")
+    window.drag([first, [first[0] + 60, first[1]], [last[0] - 40, last[1]], last])
+    undo_is(window, "Move drawing")
+    assert window.state()["frame"] == 2
+    window.x("mousemove", *map(round, first))
+    window.x("click", 3)
+    window.wait(lambda: "Duplicate drawing" in labels(window), why="the menu")
+    window.click("Duplicate drawing")
+    window.wait(lambda: window.state()["frames"] == 4, why="the copy")
+    window.click("Orthographic")
+    undo_is(window, "Perspective camera")
+    window.picture("drawings")
+    window.close()
+
+
+run(traces_and_cuts, gives_outlines_to_parts, mends_a_crossing, builds_a_skeleton,
+    takes_drawings_in)
