@@ -65,7 +65,8 @@ Document with_contour_copied(Document document, int frame, int contour, int to_f
 std::optional<Document> with_contour_mirrored(const Document& document, int frame, int contour);
 
 // A freehand stroke as an outline: smoothed over `smooth` pixels, simplified to within `error`
-// pixels, closed where its ends are within `reach` of each other. Nothing where it is too short.
+// pixels, closed where its ends are within `reach` of each other, without the small loop that a hand
+// leaves there. Nothing where it is too short.
 struct StrokeOptions {
   double smooth = 2;
   double error = 0.35;

@@ -4,6 +4,7 @@
 
 #include "document/edit.h"
 #include "document/line_fit.h"
+#include "document/mend.h"
 
 namespace artisketch {
 
@@ -21,9 +22,14 @@ std::optional<Polyline> outline_of_stroke(std::span<const Vec2> stroke,
   Polyline result{simplified(smoothed(even.points, raw.closed, options.smooth, kStep), raw.closed,
                              options.error),
                   raw.closed};
-  if (result.closed && (result.points.size() < 3 || std::abs(signed_area(result)) < 1))
-    return std::nullopt;
-  return result;
+  if (!result.closed) return result;
+  if (result.points.size() < 3 || std::abs(signed_area(result)) < 1) return std::nullopt;
+  // A hand rarely meets its own beginning: the small loop there goes. What crosses itself more
+  // than that stays as it was drawn, to be seen.
+  constexpr double kSmall = 0.05;  // of the area
+  Polyline clean = mended(result);
+  const double area = std::abs(signed_area(result)), other = std::abs(signed_area(clean));
+  return std::abs(other - area) <= kSmall * area ? clean : result;
 }
 
 Polyline with_stretch_redrawn(const Polyline& outline, std::span<const Vec2> stroke) {

@@ -91,6 +91,21 @@ TEST(Strokes, AStrokeThatEndsNearItsStartCloses) {
   EXPECT_NEAR(std::abs(signed_area(*outline)), kPi * 50 * 50, 0.02 * kPi * 50 * 50);
 }
 
+TEST(Strokes, AHandThatGoesPastItsBeginningLeavesNoLoop) {
+  Polyline drawn = circle({100, 100}, 50);
+  drawn.points.pop_back();
+  // On beyond the start, a little inside, then across the line and out.
+  const Vec2 start = drawn.points.front();
+  for (const Vec2& past : {Vec2(-3, 4), Vec2(1, 8), Vec2(4, 11)})
+    drawn.points.push_back(start + past);
+  StrokeOptions options;
+  options.smooth = 0;
+  const std::optional<Polyline> outline = outline_of_stroke(drawn.points, options);
+  ASSERT_TRUE(outline && outline->closed);
+  EXPECT_FALSE(self_crossing(*outline));
+  EXPECT_NEAR(std::abs(signed_area(*outline)), kPi * 50 * 50, 0.03 * kPi * 50 * 50);
+}
+
 TEST(Strokes, AStrokeThatEndsElsewhereStaysOpenAndKeepsItsEnds) {
   const std::vector<Vec2> drawn = {{0, 0}, {50, 3}, {100, 0}};
   const std::optional<Polyline> outline = outline_of_stroke(drawn, {});
