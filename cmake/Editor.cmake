@@ -98,6 +98,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/drawings_in.cpp
   src/editor/exports.cpp
   src/editor/perform.cpp
+  src/editor/jobs.cpp
   src/editor/layout.cpp
   src/editor/top_bar.cpp
   src/editor/tool_rail.cpp

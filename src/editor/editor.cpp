@@ -139,7 +139,7 @@ void Editor::frame(float width, float height, float pixel_ratio) {
 }
 
 double Editor::next_frame_in() const {
-  constexpr double kSmooth = 1.0 / 60, kSeldom = 1.0 / 20, kNever = 1e9;
+  constexpr double kSmooth = 1.0 / 60, kSeldom = 1.0 / 30, kNever = 1e9;
   const Work& work = parts_->work;
   double interval = kNever;
   if (work.busy() || work.history.revision() != work.autosaved) interval = kSeldom;
