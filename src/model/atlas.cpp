@@ -117,10 +117,10 @@ Atlas make_atlas(const Mesh& mesh, const FaceNeighbours& neighbours, const std::
     widest = std::max(widest, chart.box.sizes().x());
     for (const int i : chart.corners) atlas.texels[i] *= shrink;
   }
-  // A power of two wide; the width that wastes least.
+  // Powers of two, as validators and old graphics cards want them: the pair that wastes least.
   atlas.width = 0;
   for (int width = power_of_two(int(widest) + 2 * kGutter), i = 0; i < 4; ++i, width *= 2) {
-    const int height = (pack(charts, width) + 3) / 4 * 4;
+    const int height = power_of_two(pack(charts, width));
     if (atlas.width == 0 || double(width) * height < double(atlas.width) * atlas.height) {
       atlas.width = width;
       atlas.height = height;
