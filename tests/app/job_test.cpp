@@ -72,7 +72,8 @@ TEST(Job, PartsAloneAreMadeAnewOnlyWhereSomethingChanged) {
   ASSERT_TRUE(again);
   EXPECT_EQ(cache.made(), parts + 1);
   for (std::size_t p = 0; p < whole->parts.size(); ++p) {
-    const bool same = whole->parts[p].mesh.V == again->parts[p].mesh.V;
+    const Points3 &before = whole->parts[p].mesh.V, &after = again->parts[p].mesh.V;
+    const bool same = before.rows() == after.rows() && before == after;
     EXPECT_EQ(same, whole->parts[p].joint != moved.joint);
   }
 }
