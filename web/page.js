@@ -5,7 +5,8 @@
 // Scripts and tests may count on `artisketch`:
 //   ready              promise that the editor is open
 //   widgets()          [{label, x, y, width, height, enabled, active}] of the frame drawn last, CSS pixels
-//   state()            {mode, busy, stage, progress, frame, frames, joints, hasModel, liveParts, canUndo, undo, message, unsaved}
+//   state()            {mode, busy, stage, progress, frame, frames, joints, hasModel, liveParts, revision,
+//                    liveRevision, canUndo, undo, message, unsaved}
 //   project(frame, x, y)   where that pixel of a sketch stands on the page: {x, y}, or null
 'use strict';
 

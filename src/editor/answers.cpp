@@ -35,6 +35,8 @@ Json state_json(const Editor& editor) {
           {"joints", s.joints},
           {"hasModel", s.has_model},
           {"liveParts", s.live_parts},
+          {"revision", s.revision},
+          {"liveRevision", s.live_revision},
           {"canUndo", s.can_undo},
           {"undo", s.undo},
           {"message", s.message},

@@ -10,8 +10,8 @@ namespace artisketch {
 // [{label, x, y, width, height, enabled, active}], in points, to a hundredth.
 Json widgets_json(const Editor& editor);
 
-// {mode, busy, stage, progress, frame, frames, joints, hasModel, liveParts, canUndo, undo, message,
-// unsaved}.
+// {mode, busy, stage, progress, frame, frames, joints, hasModel, liveParts, revision,
+// liveRevision, canUndo, undo, message, unsaved}.
 Json state_json(const Editor& editor);
 
 }  // namespace artisketch

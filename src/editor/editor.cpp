@@ -172,6 +172,8 @@ EditorState Editor::state() const {
   for (const Joint& joint : work.document().skeleton.joints) state.joints.push_back(joint.name);
   state.has_model = work.built != nullptr;
   state.live_parts = int(work.live.parts.size());
+  state.revision = work.history.revision();
+  state.live_revision = work.live.revision;
   state.can_undo = work.history.can_undo();
   if (state.can_undo) state.undo = work.history.undo_name();
   state.message = parts_->message;

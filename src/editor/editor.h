@@ -34,7 +34,9 @@ struct EditorState {
   int frame = 0, frames = 0;
   std::vector<std::string> joints;
   bool has_model = false;
-  int live_parts = 0;  // of the model as it is edited
+  int live_parts = 0;       // of the model as it is edited
+  long revision = 0;        // names the state of the document
+  long live_revision = -1;  // that the live parts, as they were drawn last, were made of
   bool can_undo = false;
   std::string undo;     // what undo would take back: "Bend Forearm L"
   std::string message;  // the toast shown last
