@@ -86,6 +86,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/theme.cpp
   src/editor/fonts.cpp
   src/editor/touch.cpp
+  src/editor/damage.cpp
   src/editor/window.cpp
   src/editor/ui.cpp
   src/editor/commands.cpp

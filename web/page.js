@@ -76,6 +76,7 @@ const artisketch = (() => {
   // ------------------------------------------------------------ frames
 
   let due = false;
+  let later = 0; // the timer of a frame that is due in a while
 
   function wake() {
     if (due || !module) return;
@@ -87,9 +88,11 @@ const artisketch = (() => {
 
   function tick() {
     due = false;
-    const more = module._page_frame();
+    const rest = module._page_frame();
     reflect();
-    if (more) wake();
+    clearTimeout(later);
+    if (rest < 0.02) wake();
+    else if (rest < 60) later = setTimeout(wake, 1000 * rest - 16); // the animation frame after it
   }
 
   function stir() {
@@ -548,6 +551,8 @@ const artisketch = (() => {
     const program = compiled('editor.wasm');
     const listed = recents().catch(() => []);
     example(examples[0][0]).catch(() => {}); // is needed soon
+    // The context that the editor then gets: it keeps what was drawn, so that only changes need be.
+    canvas.getContext('webgl2', {alpha: false, antialias: false, depth: false, preserveDrawingBuffer: true});
     const begun = await createEditor({
       canvas,
       host,

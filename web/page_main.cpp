@@ -73,6 +73,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(int width, int height, const char* k
   for (const Json& recent : listed["recents"]) recents.push_back({recent[0], recent[1]});
   std::vector<ExampleCard> examples;
   for (const Json& example : listed["examples"]) examples.push_back({example[0], example[1]});
+  window->lasting = true;  // page.js asks for such a canvas
   page = new Page(std::move(*window), std::move(examples), std::move(recents));
   ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) {
     SDL_SetClipboardText(text);
@@ -81,15 +82,16 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(int width, int height, const char* k
   return nullptr;
 }
 
-// Draws if there is anything to draw; whether another frame is due.
-EMSCRIPTEN_KEEPALIVE bool page_frame() {
+// Draws if there is anything to draw; seconds until another frame is due.
+EMSCRIPTEN_KEEPALIVE double page_frame() {
+  constexpr double kEarly = 0.004;  // seconds: the screen's frames are not as even as a clock
   page->window.take_events(0);
   if (page->window.stirred()) page->due = 3;
-  if (page->due > 0 || page->editor.wants_frame()) {
+  if (page->due > 0 || page->editor.next_frame_in() < kEarly) {
     page->window.draw(page->editor);
     page->due = std::max(page->due - 1, 0);
   }
-  return page->due > 0 || page->editor.wants_frame();
+  return page->due > 0 ? 0 : std::max(0.0, page->editor.next_frame_in());
 }
 
 EMSCRIPTEN_KEEPALIVE void page_stir() {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include <GLES3/gl3.h>
 #include <imgui.h>
@@ -113,6 +114,8 @@ std::vector<float> floats(const Points3& points) {
   return result;
 }
 
+std::vector<unsigned> painted_lately;
+
 constexpr unsigned kClay = 0xC9CDD3;
 
 }  // namespace
@@ -174,6 +177,11 @@ void RenderTarget::end() {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolve_);
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  painted_lately.push_back(texture_);
+}
+
+std::vector<unsigned> RenderTarget::take_painted() {
+  return std::exchange(painted_lately, {});
 }
 
 bool Scene::same_pose(const Scene& other) const {

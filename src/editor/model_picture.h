@@ -44,6 +44,9 @@ class RenderTarget {
 
   Scene shows;  // painted last
 
+  // Textures painted since this was asked last.
+  static std::vector<unsigned> take_painted();
+
  private:
   void release();
   int width_ = 0, height_ = 0;

@@ -13,6 +13,7 @@
 
 #include "editor/editor.h"
 #include "editor/fonts.h"
+#include "editor/model_picture.h"
 #include "editor/theme.h"
 
 namespace artisketch {
@@ -56,9 +57,11 @@ Result<Window> Window::open(const std::string& title, int width, int height) {
 
 Window::Window(Window&& other) noexcept
     : on_drop(std::move(other.on_drop)),
+      lasting(other.lasting),
       window_(std::exchange(other.window_, nullptr)),
       context_(std::exchange(other.context_, nullptr)),
       stirred_(other.stirred_),
+      damage_(std::move(other.damage_)),
       pointer_(other.pointer_) {}
 
 Window::~Window() {
@@ -127,7 +130,13 @@ void Window::draw(Editor& editor) {
   SDL_GetWindowSize(window_, &width, &height);
   SDL_GL_GetDrawableSize(window_, &pixels_wide, &pixels_high);
   const float ratio = width > 0 ? float(pixels_wide) / float(width) : 1;
-  if (fit_fonts(ratio)) ImGui_ImplOpenGL3_DestroyFontsTexture();
+  bool afresh = !lasting || pixels_wide != pixels_wide_ || pixels_high != pixels_high_;
+  pixels_wide_ = pixels_wide;
+  pixels_high_ = pixels_high;
+  if (fit_fonts(ratio)) {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    afresh = true;
+  }
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplSDL2_NewFrame();
   // The back end asks SDL for the pointer on the whole screen, which goes stale on X servers that
@@ -137,13 +146,24 @@ void Window::draw(Editor& editor) {
   editor.touch(touch_.take());
   editor.frame(float(width), float(height), ratio);
   ImGui::Render();
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, pixels_wide, pixels_high);
   const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(theme().panel);
   glClearColor(ground.x, ground.y, ground.z, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  SDL_GL_SwapWindow(window_);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, pixels_wide, pixels_high);
+  ImDrawData& data = *ImGui::GetDrawData();
+  const std::vector<Rect> changed = damage_.narrow(data, RenderTarget::take_painted(), afresh);
+  glEnable(GL_SCISSOR_TEST);
+  for (const Rect& r : changed) {
+    // The pixels that Dear ImGui's renderer takes for such a rectangle.
+    glScissor(int(r.x * ratio), int(float(pixels_high) - r.bottom() * ratio), int(r.w * ratio),
+              int(r.h * ratio));
+    glClear(GL_COLOR_BUFFER_BIT);
+  }
+  glDisable(GL_SCISSOR_TEST);
+  if (!changed.empty()) {
+    ImGui_ImplOpenGL3_RenderDrawData(&data);
+    SDL_GL_SwapWindow(window_);
+  }
   // Fast typing: ImGui takes one key a frame, and keeps the others for the next.
   stirred_ = !ImGui::GetCurrentContext()->InputEventsQueue.empty();
 }

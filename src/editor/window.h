@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/result.h"
+#include "editor/damage.h"
 #include "editor/touch.h"
 
 struct SDL_Window;
@@ -32,6 +33,8 @@ class Window {
   void draw(Editor& editor);
 
   std::function<void(const std::string& path)> on_drop;  // of a file onto the window
+  // Whether what was drawn stays until it is drawn over: then only what changed is.
+  bool lasting = false;
   SDL_Window* handle() const { return window_; }
 
  private:
@@ -41,6 +44,8 @@ class Window {
   SDL_Window* window_ = nullptr;
   void* context_ = nullptr;
   bool stirred_ = true;
+  Damage damage_;
+  int pixels_wide_ = 0, pixels_high_ = 0;  // of the frame drawn last
   Touch touch_;
   std::optional<std::pair<float, float>> pointer_;  // where it is over the window
 };
