@@ -106,7 +106,7 @@ void edit_tool(Work& work, const Pointer& p, const OnScreen& on) {
   } else if (p.pressed) {
     work.gesture = {};
   }
-  if (p.dragging && work.gesture.point >= 0 && work.gesture.contour == view.contour) {
+  if (p.dragging && p.moved && work.gesture.point >= 0 && work.gesture.contour == view.contour) {
     const Polyline& line = work.frame().contours[std::size_t(view.contour)].line;
     // As far as the next handles.
     const double reach = 14 / on.zoom;
@@ -141,9 +141,9 @@ void draw_tool(Work& work, const Pointer& p, const OnScreen& on) {
   options.reach = kCloseReach / on.zoom;
   options.open = p.alt;
   View& view = work.view;
+  std::optional<Polyline> line = outline_of_stroke(stroke, options);
   if (view.redrawing && view.contour >= 0) {
     view.redrawing = false;
-    const std::optional<Polyline> line = outline_of_stroke(stroke, options);
     if (!line) return;
     Document next = work.document();
     Contour& chosen = next.frames[std::size_t(view.frame)].contours[std::size_t(view.contour)];
@@ -151,7 +151,8 @@ void draw_tool(Work& work, const Pointer& p, const OnScreen& on) {
     work.commit("Redraw " + part_words(work, chosen.joint), std::move(next));
     return;
   }
-  if (view.contour >= 0 && stroke.size() > 2) {
+  // What closes is an outline of its own, though it may begin where another one runs.
+  if (view.contour >= 0 && stroke.size() > 2 && !(line && line->closed)) {
     const Contour& chosen = work.frame().contours[std::size_t(view.contour)];
     const bool from = nearest_on(chosen.line, on, on.of(stroke.front())).distance < kCloseReach,
                to = nearest_on(chosen.line, on, on.of(stroke.back())).distance < kCloseReach;
@@ -165,7 +166,7 @@ void draw_tool(Work& work, const Pointer& p, const OnScreen& on) {
       return;
     }
   }
-  if (std::optional<Polyline> line = outline_of_stroke(stroke, options)) {
+  if (line) {
     NewOutline fresh;
     fresh.line = std::move(*line);
     fresh.stroke = stroke;

@@ -18,6 +18,7 @@ Pointer pointer_on(const Rect& place, const OnScreen& on) {
   p.pressed = ImGui::IsItemActivated();
   p.released = ImGui::IsItemDeactivated();
   p.dragging = item_dragged();
+  p.moved = pointer_moved();
   p.double_clicked = press.double_clicked;
   p.alt = io.KeyAlt;
   return p;
@@ -37,6 +38,11 @@ bool pointer_dragged() {
 
 bool pointer_holds() {
   return ImGui::IsMouseDown(ImGuiMouseButton_Left) || ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+}
+
+bool pointer_moved() {
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  return delta.x != 0 || delta.y != 0;
 }
 
 bool item_dragged() {

@@ -13,6 +13,7 @@ struct Pointer {
   ImVec2 screen;
   Vec2 at;  // the sketch's pixels
   bool hovered = false, pressed = false, held = false, released = false, dragging = false;
+  bool moved = false;  // as pointer_moved()
   bool double_clicked = false, alt = false;
 };
 
@@ -24,6 +25,8 @@ bool item_dragged();
 // still holds.
 bool pointer_dragged();
 bool pointer_holds();
+// Since the last frame: a hand that rests changes nothing.
+bool pointer_moved();
 
 float apart(ImVec2 a, ImVec2 b);
 

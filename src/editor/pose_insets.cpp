@@ -45,7 +45,7 @@ void turning_ball(Work& work, const Rect& canvas) {
   if (ImGui::IsItemActivated()) work.gesture = {};
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 centre = place.centre();
-  if (item_dragged() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+  if (item_dragged() && pointer_moved()) {
     const Vec2 to(io.MousePos.x - centre.x, io.MousePos.y - centre.y);
     turn_body(work, ball_turn(to - Vec2(io.MouseDelta.x, io.MouseDelta.y), to, kBall));
   }
@@ -108,7 +108,7 @@ void side_view(Work& work, const Rect& place, float pixel_ratio) {
       }
   }
   const int joint = work.gesture.joint;
-  if (joint >= 0 && item_dragged()) {
+  if (joint >= 0 && item_dragged() && pointer_moved()) {
     work.proposal.reset();
     const double per_unit = std::abs(eye.clip(0, 2)) * place.w / 2;
     const double z = pose.root_position.z() - (io.MousePos.x - body.centre().x) / per_unit;

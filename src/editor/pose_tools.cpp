@@ -51,7 +51,7 @@ void pose_tool(Work& work, const Pointer& p, const OnScreen& on) {
   const std::vector<Transform> posed = posed_joints(skeleton, work.frame().pose);
   take_joint(work, p, posed, camera, on);
   const int joint = work.gesture.joint;
-  if (p.dragging && joint >= 0) {
+  if (p.dragging && p.moved && joint >= 0) {
     work.proposal.reset();
     const int bones = bones_dragged(skeleton, joint);
     int turned = joint;

@@ -157,7 +157,7 @@ bool drag_spheres(Work& work, const Eye& eye, const std::vector<Transform>& moti
   }
   if (!pointer_holds()) dragged = -1;
   for (const Sphere& sphere : spheres) {
-    if (sphere.joint != dragged || !pointer_dragged()) continue;
+    if (sphere.joint != dragged || !pointer_dragged() || !pointer_moved()) continue;
     const Vec3 target = under_pointer(eye, sphere.centre);
     const double radius = work.sphere_rim ? (target - sphere.centre).norm() : sphere.radius;
     const Vec3 by =
@@ -205,7 +205,7 @@ bool drag_fatness(Work& work, const Eye& eye, const std::vector<Vec3>& joints) {
     }
   }
   if (!pointer_holds()) dragged = -1;
-  if (dragged >= 0 && pointer_dragged()) {
+  if (dragged >= 0 && pointer_dragged() && pointer_moved()) {
     const ImGuiIO& io = ImGui::GetIO();
     const double by =
         (io.MousePos.x - io.MouseClickedPos[ImGuiMouseButton_Left].x) / kPointsToDouble;

@@ -54,7 +54,7 @@ void skeleton_tool(Work& work, const Pointer& p, const OnScreen& on) {
     return;
   }
   const int joint = work.gesture.joint;
-  if (!p.dragging || joint < 0 || joint >= int(posed.size())) return;
+  if (!p.dragging || !p.moved || joint < 0 || joint >= int(posed.size())) return;
   const Vec3 target = beneath(camera, posed[std::size_t(joint)], p.at);
   const int parent = work.document().skeleton.joints[std::size_t(joint)].parent;
   if (parent < 0) {
