@@ -63,6 +63,17 @@ Document at_models_poses(Document document, const Document& made) {
   return document;
 }
 
+// All parts that there are, as they come, until the person looks closer.
+void keep_in_view(Work& work, const Model& model) {
+  Orbit& orbit = work.view.orbit;
+  std::optional<Orbit>& framed = work.live.framed;
+  if (framed && (orbit.distance != framed->distance || orbit.target != framed->target)) return;
+  const Orbit before = orbit;
+  look_at(work, model);
+  if (framed) orbit.yaw = before.yaw, orbit.pitch = before.pitch;
+  framed = orbit;
+}
+
 // What the parts are wanted of.
 Document wanted(const Work& work) {
   return work.live.of_result ? at_models_poses(work.document(), work.built->document)
@@ -108,15 +119,15 @@ void take_parts(Work& work, Result<JobResult> outcome) {
     return;
   }
   live.revision = work.running_revision;
+  const bool more = outcome->parts.size() != live.parts.size();
   live.parts = std::move(outcome->parts);
   live.fits = std::move(outcome->fits);
   live.marks_stale = true;
-  const bool first = !live.model && !work.built;
   const Document document = wanted(work);
   live.model.reset();
   if (live.parts.empty() || live.parts.back().joint >= document.skeleton.size()) return;
   live.model = std::make_shared<Built>(built_of(rigid_model(document, live.parts), document));
-  if (first) look_at(work, live.model->model);
+  if (more && !work.built) keep_in_view(work, live.model->model);
 }
 
 const std::vector<PartMarks>& marks_of_drawing(Work& work) {

@@ -56,9 +56,10 @@ struct Live {
   std::shared_ptr<Built> model;
   std::vector<PartMesh> parts;
   std::vector<FrameFit> fits;
-  long revision = -1;        // that they were made from
-  bool of_proposal = false;  // what is under way: the proposal's fit rather than the parts
-  bool of_result = false;    // at the model's poses rather than the person's: for its fatness
+  long revision = -1;           // that they were made from
+  bool of_proposal = false;     // what is under way: the proposal's fit rather than the parts
+  bool of_result = false;       // at the model's poses rather than the person's: for its fatness
+  std::optional<Orbit> framed;  // the view that took in all of them
   // Marks of the drawing shown last, and what they were made for.
   std::vector<PartMarks> marks;
   bool marks_stale = true;
