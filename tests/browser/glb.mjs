@@ -1,19 +1,28 @@
 // What tests ask of a model: its surface, and how far two surfaces are apart.
 
-// Positions and triangles of a GLB with one mesh.
-export function surface(bytes) {
+const kinds = {5126: Float32Array, 5125: Uint32Array, 5123: Uint16Array, 5121: Uint8Array};
+const widths = {SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16};
+
+// A GLB's JSON, and its accessors as arrays.
+export function read(bytes) {
   const length = bytes.readUInt32LE(12);
   const json = JSON.parse(bytes.toString('utf8', 20, 20 + length));
   const base = 20 + length + 8;
-  const primitive = json.meshes[0].primitives[0];
   const array = (index) => {
     const accessor = json.accessors[index];
     const view = json.bufferViews[accessor.bufferView];
-    const [kind, size] = {5126: [Float32Array, 4], 5125: [Uint32Array, 4], 5123: [Uint16Array, 2]}[accessor.componentType];
+    const kind = kinds[accessor.componentType];
     const from = base + (view.byteOffset ?? 0) + (accessor.byteOffset ?? 0);
-    const count = accessor.count * {SCALAR: 1, VEC3: 3}[accessor.type];
-    return new kind(new Uint8Array(bytes.subarray(from, from + count * size)).buffer);
+    const size = accessor.count * widths[accessor.type] * kind.BYTES_PER_ELEMENT;
+    return new kind(new Uint8Array(bytes.subarray(from, from + size)).buffer);
   };
+  return {json, array};
+}
+
+// Positions and triangles of a GLB with one mesh.
+export function surface(bytes) {
+  const {json, array} = read(bytes);
+  const primitive = json.meshes[0].primitives[0];
   return {positions: array(primitive.attributes.POSITION), triangles: array(primitive.indices)};
 }
 

@@ -1,51 +1,45 @@
 // A person at the page: sees the drawing and what the screen shows, has a pointer and a keyboard, and
 // nothing else. Pointer actions (a click, a drag, a drop) are counted.
-import { readFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { root } from './chromium.mjs';
+import { multiply, projected, turned } from './silhouette.mjs';
 
 // ------------------------------------------------------------ what a person sees in a drawing
 
-const multiply = (a, b) => [
-  a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1],
-  a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
-  a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3],
-  a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]];
-
-function turned([x, y, z, w], v) {
-  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-  const t = cross([x, y, z], v).map((c) => 2 * c), u = cross([x, y, z], t);
-  return v.map((c, i) => c + w * t[i] + u[i]);
-}
-
-// Joints of a document's frame, or of its rest pose there, in the drawing's pixels: name → [x, y, z].
+// Joints of a document's frame in the drawing's pixels: name → [x, y, depth]. At rest, the body stands as in
+// the frame, and all its joints are straight.
 export function jointsOf(document, frame, rest = false) {
-  const {camera, skeleton} = document, {size, pose, scale = 1, principal_point} = document.frames[frame];
-  const middle = principal_point ?? [size[0] / 2, size[1] / 2];
+  const at = document.frames[frame], {rotations = {}, root_position} = at.pose;
   const placed = new Map(), found = new Map();
-  for (const {name, parent, offset} of skeleton.joints) {
-    const own = rest ? [0, 0, 0, 1] : pose.rotations?.[name] ?? [0, 0, 0, 1];
+  for (const {name, parent, offset} of document.skeleton.joints) {
+    const own = rest && parent ? [0, 0, 0, 1] : rotations[name] ?? [0, 0, 0, 1];
     const above = placed.get(parent);
-    const turn = above ? multiply(above.turn, own) : own;
-    const at = above ? turned(above.turn, offset).map((c, i) => c + above.at[i])
-      : pose.root_position;
-    placed.set(name, {turn, at});
-    const s = camera.type === 'perspective' ? camera.focal_length / (camera.distance - at[2])
-      : camera.pixels_per_unit * scale;
-    found.set(name, [middle[0] + s * at[0], middle[1] - s * at[1], s * at[2]]);
+    placed.set(name, above ? {
+      turn: multiply(above.turn, own),
+      at: turned(above.turn, offset).map((c, i) => c + above.at[i]),
+    } : {turn: own, at: root_position});
+    const place = placed.get(name).at;
+    found.set(name, [...projected(document, at, place), place[2]]);
   }
   return found;
 }
 
-// One of the generator's figures: its drawings, and where on them a person sees parts and joints.
+// One of the generator's figures: its drawings, and where on them a person who looks closely sees parts
+// and joints: the example's poses are rough, so they are calibrated.
 export function figure(name) {
   const folder = join(root, 'assets', 'examples', name);
-  const document = JSON.parse(readFileSync(join(folder, `${name}.artisketch`), 'utf8'));
-  return {
-    document,
-    drawings: document.frames.map(({image}) => ({name: image, bytes: readFileSync(join(folder, image))})),
-  };
+  const made = mkdtempSync(join(tmpdir(), 'artisketch-seen-'));
+  const seen = join(made, `${name}.artisketch`);
+  execFileSync(join(root, 'build', 'native', 'artisketch'), ['calibrate', join(folder, `${name}.artisketch`), '-o', seen],
+    {stdio: 'ignore'});
+  const document = JSON.parse(readFileSync(seen, 'utf8'));
+  const images = JSON.parse(readFileSync(join(folder, `${name}.artisketch`), 'utf8')).frames.map(({image}) => image);
+  rmSync(made, {recursive: true});
+  return {document, drawings: images.map((image) => ({name: image, bytes: readFileSync(join(folder, image))}))};
 }
 
 // ------------------------------------------------------------ hands
@@ -106,6 +100,7 @@ export class Person {
   // The outline that waits, kept for that part: Tab goes through the likely ones.
   async keepFor(part) {
     const words = partWords(part);
+    await this.editor.widget(/^Assign /);
     for (let tries = 0; tries < 8; tries++) {
       const cards = (await this.editor.widgets()).filter(({label}) => label.startsWith('Assign '));
       const chosen = cards.find(({active}) => active)?.label;
@@ -114,18 +109,39 @@ export class Person {
       await this.key('Tab');
       await this.editor.page.waitForTimeout(60);
     }
-    // None of the likely ones: a click on the part in the list says whose it is.
-    await this.click('Other joint');
-    await this.click(words);
+    await this.giveTo(part);
     return this.key('Enter');
   }
 
+  // None of the likely ones: a click on the part in the list says whose it is.
+  async giveTo(part) {
+    await this.click('Other joint');
+    await this.click(partWords(part));
+  }
+
   async draw(frame, part, outline) {
-    const step = Math.max(1, Math.floor(outline.length / 30));
+    await this.key('d');
+    const step = Math.max(1, Math.floor(outline.length / 60));
     const path = outline.filter((_, i) => i % step === 0);
     await this.drag(frame, [...path, path[0]]);
-    await this.editor.page.waitForTimeout(60);
     await this.keepFor(part);
+  }
+
+  // What has one colour, by a click on it.
+  async trace(frame, part, pixel) {
+    await this.key('t');
+    await this.clickAt(frame, pixel);
+    await this.keepFor(part);
+  }
+
+  // The outline kept last, along a line; the part that it takes away is given to `part`.
+  async cut(frame, part, [from, to]) {
+    await this.key('k');
+    const undo = (await this.editor.state()).undo;
+    await this.drag(frame, [from, [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2], to]);
+    await this.editor.until((state) => state.undo !== undo && state.undo.startsWith('Cut '));
+    const {contours} = (await this.document()).frames[frame];
+    if (contours.at(-1).joint !== part) await this.giveTo(part);
   }
 }
 

@@ -208,6 +208,17 @@ TEST(Redraw, OnlyTheStretchBetweenTheStrokesEndsChanges) {
   }
 }
 
+TEST(Redraw, BeginsOnTheLineWhereThatHasFewPoints) {
+  const Polyline square{{{0, 0}, {100, 0}, {100, 100}, {0, 100}}, true};
+  // From one side to the next round a corner, begun a little inside and ended a little outside.
+  const std::vector<Vec2> round = {{60, 3}, {75, 10}, {90, 25}, {102, 40}};
+  const Polyline redrawn = with_stretch_redrawn(square, round);
+  EXPECT_FALSE(self_crossing(redrawn));
+  EXPECT_FALSE(contains(redrawn, {96, 4}));  // the corner is cut off
+  EXPECT_TRUE(contains(redrawn, {30, 3}));   // and nothing else
+  EXPECT_TRUE(contains(redrawn, {97, 70}));
+}
+
 TEST(Candidates, AWholeFigureIsTheRootsFirst) {
   const Polyline all{{{60, 60}, {340, 60}, {340, 140}, {60, 140}}, true};
   const std::vector<Candidate> found = joint_candidates(figure(), 0, all);
