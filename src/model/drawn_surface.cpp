@@ -111,7 +111,7 @@ void fill_colours(const Overlay& o, Sketch& sketch) {
   for (int y = 0; y < sketch.height; ++y)
     for (int x = 0; x < sketch.width; ++x) {
       const std::size_t p = o.index(x, y);
-      if (!o.inside(x, y) || !o.opaque(p) ) continue;
+      if (!o.inside(x, y) || !o.opaque(p)) continue;
       if (distance[p] < ink && !in_the_middle(x, y)) continue;
       sketch.colour[p] = o.colour(p);
       sketch.state[p] = Sketch::drawn;
