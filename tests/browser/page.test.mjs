@@ -243,6 +243,27 @@ test('a killed tab loses three seconds at most', async (t) => {
   assert.ok(document.frames[0].contours.some(({points}) => points.every(near)), 'the new outline is there');
 });
 
+test('what is drawn piece by piece looks as what is drawn whole', async (t) => {
+  const editor = await open(await browser(t), site.url);
+  await openHero(editor);
+  const {page} = editor;
+  for (const key of ['2', '3', '.', 'g', '1', ',', '?', 'Escape']) {
+    await page.keyboard.press(key);
+    await page.waitForTimeout(100);
+  }
+  for (let i = 0; i < 40; i++) await page.mouse.move(250 + 8 * i, 200 + 5 * i);
+  await page.mouse.move(30, 700); // over nothing that lights up
+  await page.waitForTimeout(4000); // live parts, hover and toasts come to rest
+  const pieces = await page.screenshot();
+  await page.setViewportSize({width: 1270, height: 720}); // a canvas of another size is empty
+  await page.waitForTimeout(500);
+  await page.setViewportSize({width: 1280, height: 720});
+  await page.mouse.move(31, 700);
+  await page.waitForTimeout(1000);
+  const whole = await page.screenshot();
+  assert.ok(pieces.equals(whole), 'the same pixels');
+});
+
 test('at rest nothing is drawn', async (t) => {
   const editor = await open(await browser(t), site.url);
   await openHero(editor);
