@@ -68,10 +68,10 @@ async function dragged(t, mode, words, find) {
 test('live parts follow a dragged point of an outline', (t) =>
   dragged(t, '1', 'an outline', async (editor) => {
     const document = JSON.parse((await editor.save()).bytes);
-    const {points} = document.frames[0].contours.find(({joint}) => joint === 'hand.R');
+    const {frame} = await editor.state();
+    const {points} = document.frames[frame].contours.find(({joint}) => joint === 'hand.R');
     const low = points.reduce((a, b) => (b[1] > a[1] ? b : a));
-    const at = () => editor.page.evaluate((p) => artisketch.project(0, ...p), low);
-    const {x, y} = await at();
+    const {x, y} = await editor.page.evaluate((of) => artisketch.project(...of), [frame, ...low]);
     await editor.page.mouse.click(x, y); // chooses the outline
     await editor.page.waitForTimeout(400); // not a double click
     return [x, y];

@@ -69,7 +69,7 @@ function across(seen, [above, at, below], reach) {
 //   looks  per frame, how its outlines are made other than by drawing: {parts: [upper, lower], trace, cut}
 async function fromBlankPage(t, name, template, {names, order, prepare, turn, looks, most}) {
   const {document: truth, drawings} = figure(name);
-  const editor = await open(await browser(t), site.url);
+  const editor = await open(await browser(t, {width: 1440, height: 900}), site.url);
   const person = new Person(editor);
   const began = Date.now();
   const picture = async (step) => {
