@@ -117,11 +117,13 @@ Atlas make_atlas(const Mesh& mesh, const FaceNeighbours& neighbours, const std::
     widest = std::max(widest, chart.box.sizes().x());
     for (const int i : chart.corners) atlas.texels[i] *= shrink;
   }
-  // Powers of two, as validators and old graphics cards want them: the pair that wastes least.
+  // Powers of two, as validators and old graphics cards want them: the pair that wastes least, the
+  // squarest of those.
   atlas.width = 0;
   for (int width = power_of_two(int(widest) + 2 * kGutter), i = 0; i < 4; ++i, width *= 2) {
     const int height = power_of_two(pack(charts, width));
-    if (atlas.width == 0 || double(width) * height < double(atlas.width) * atlas.height) {
+    const auto waste = [](int w, int h) { return std::pair(double(w) * h, std::max(w, h)); };
+    if (atlas.width == 0 || waste(width, height) < waste(atlas.width, atlas.height)) {
       atlas.width = width;
       atlas.height = height;
     }
