@@ -15,7 +15,7 @@ namespace artisketch {
 namespace {
 
 constexpr double kCellsAcrossThinnest = 6;
-constexpr double kWantedVertices = 25000;  // of the lattice's surface, where no part is thinner
+constexpr double kWantedVertices = 60000;  // of the lattice's surface, where no part is thinner
 constexpr double kMostVertices = 120000;
 constexpr double kMostSamples = 1e9;  // of the lattice, stored or not
 constexpr double kMostStored = 2e7;   // 160 MB
@@ -32,7 +32,7 @@ double cell_size(const PartTree& tree, std::span<const PartSurface> parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (!tree.nodes[i].solid) continue;
     area += tree.nodes[i].area;
-    thinnest = std::min(thinnest, tree.nodes[i].thickness);
+    thinnest = std::min(thinnest, tree.nodes[i].width);
     stored += parts[i].distance.box().volume();
     all.extend(parts[i].distance.box());
   }
@@ -115,7 +115,7 @@ int own_genus(std::span<const PartSurface> parts) {
 
 // The body with its gaps closed, and its handles: ever wider ones until none is left that no part
 // has of its own.
-constexpr double kGap = 3, kWidestHandle = 12;  // cells
+constexpr double kGap = 2, kWidestHandle = 8;  // cells
 Surface closed_surface(const Body& body, Body::Sampled& sampled,
                        std::span<const JointSphere> spheres, std::span<const PartSurface> parts) {
   const double cell = sampled.grid.cell;

@@ -4,8 +4,54 @@
 #include <cmath>
 #include <limits>
 
+#include "base/block_grid.h"
+
 namespace artisketch {
 namespace {
+
+// The diameter of the largest ball inside. A part's distances end some cells from its surface: from
+// there on by chamfer steps (Borgefors 1986) over every third sample.
+double width_of(const Grid3<float>& g, float least) {
+  constexpr int kStride = 3;
+  const Index3 size = (g.size.array() + (kStride - 1)) / kStride;
+  const std::ptrdiff_t sy = size.x(), sz = sy * size.y();
+  std::vector<float> depth(std::size_t(sz) * size.z());
+  std::size_t at = 0;
+  for (int k = 0; k < size.z(); ++k)
+    for (int j = 0; j < size.y(); ++j)
+      for (int i = 0; i < size.x(); ++i, ++at) {
+        const float d = -g(kStride * i, kStride * j, kStride * k);
+        depth[at] = d < -0.99f * least ? std::max(d, 0.0f) : BlockGrid::kOutside;
+      }
+  struct Step {
+    int x, y, z;
+    std::ptrdiff_t to;
+    float way;
+  };
+  std::vector<Step> steps;  // to the 13 neighbours that come earlier
+  for (int z = -1; z <= 0; ++z)
+    for (int y = -1; y <= 1; ++y)
+      for (int x = -1; x <= 1; ++x)
+        if (const std::ptrdiff_t to = x + sy * y + sz * z; z < 0 || y < 0 || (y == 0 && x < 0))
+          steps.push_back({x, y, z, to, float(kStride * g.cell * Vec3(x, y, z).norm())});
+  float deepest = -least;
+  for (const int way : {1, -1})
+    for (int k = 0; k < size.z(); ++k)
+      for (int j = 0; j < size.y(); ++j)
+        for (int i = 0; i < size.x(); ++i) {
+          const Index3 p = way > 0 ? Index3(i, j, k) : Index3(size - Index3(i + 1, j + 1, k + 1));
+          float& here = depth[p.x() + sy * p.y() + sz * p.z()];
+          if (here == 0) continue;
+          for (const Step& step : steps) {
+            const Index3 q = p + way * Index3(step.x, step.y, step.z);
+            // Beyond the grid is outside.
+            const bool in = (q.array() >= 0).all() && (q.array() < size.array()).all();
+            here = std::min(here, (in ? (&here)[way * step.to] : 0) + step.way);
+          }
+          if (way < 0) deepest = std::max(deepest, here);
+        }
+  return 2 * double(deepest);
+}
 
 // What one pass over a part's samples tells.
 void measure(const Grid3<float>& g, PartTree::Node& node, Vec3& centroid) {
@@ -39,6 +85,7 @@ void measure(const Grid3<float>& g, PartTree::Node& node, Vec3& centroid) {
   const auto x = deepest % g.size.x(), yz = deepest / g.size.x();
   node.deepest = g.position(int(x), int(yz % g.size.y()), int(yz / g.size.y()));
   node.thickness = -2 * double(least);
+  node.width = width_of(g, least);
   // The lines along the axes cross a surface |nx| + |ny| + |nz| times per cell²: 1.5 on average.
   node.area = double(crossings) * g.cell * g.cell / 1.5;
   centroid = g.origin + g.cell * (sum / double(inside));
