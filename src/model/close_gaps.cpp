@@ -1,6 +1,7 @@
 #include "model/close_gaps.h"
 
 #include <algorithm>
+#include <array>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -112,14 +113,6 @@ Places places_round(const BlockGrid& grid, std::ptrdiff_t sample) {
   return places;
 }
 
-Around around(const BlockGrid& grid, std::ptrdiff_t sample) {
-  const Places places = places_round(grid, sample);
-  Around set = 0;
-  for (int b = 0; b < 27; ++b)
-    set |= Around(places.at[b] >= 0 && grid.values[places.at[b]] < 0) << b;
-  return set;
-}
-
 // Marks as open every outside sample that hangs together with those in `front`.
 void flood(const BlockGrid& grid, std::vector<std::ptrdiff_t>& front, std::vector<char>& open) {
   constexpr int n = BlockGrid::kSide;
@@ -217,6 +210,7 @@ struct Fill {
   std::ptrdiff_t index;
   float was;  // its value
   float seam;
+  Around inside = 0;  // of the 27 samples round it
   float way = 1e30f;  // to the nearest open sample, in cells, along the lattice
   bool in = false;    // filled
   bool keep = false;  // filled for good
@@ -240,11 +234,27 @@ int take(Queue& queue, std::vector<Fill>& all) {
 struct Fills {
   BlockGrid& grid;
   std::vector<Fill> all;
-  std::vector<int> at;  // per sample of the grid: its place in `all`, −1
+  std::vector<std::array<int, 27>> beside;  // per place those round it that may be filled too, −1
+  std::vector<char> open;                   // per sample of the grid: outside, and not in a bubble
 
-  std::vector<char> open;  // per sample of the grid: outside, and not in a bubble
+  Fills(Body::Sampled& sampled, double reach) : grid(sampled.grid) {
+    std::vector<int> at(grid.values.size(), -1);
+    for (std::ptrdiff_t s = 0; s < std::ptrdiff_t(grid.values.size()); ++s) {
+      if (sampled.seam[s] > reach || grid.values[s] < 0) continue;
+      at[s] = int(all.size());
+      all.push_back({s, grid.values[s], sampled.seam[s]});
+    }
+    beside.resize(all.size());
+    for (std::size_t f = 0; f < all.size(); ++f) {
+      const Places places = places_round(grid, all[f].index);
+      for (int b = 0; b < 27; ++b) {
+        const std::ptrdiff_t n = places.at[b];
+        beside[f][b] = n < 0 ? -1 : at[n];
+        all[f].inside |= Around(n >= 0 && grid.values[n] < 0) << b;
+      }
+    }
+  }
 
-  Around around_of(int f) const { return around(grid, all[f].index); }
   // The samples round a place that are outside in a bubble.
   Around bubble_of(int f) const {
     const Places places = places_round(grid, all[f].index);
@@ -263,17 +273,18 @@ struct Fills {
   }
   void set(int f, bool in) {
     all[f].in = in;
+    for (int b = 0; b < 27; ++b)
+      if (const int g = beside[f][b]; g >= 0) {
+        const Around bit = Around(1) << (26 - b);  // the place as its neighbour sees it
+        all[g].inside = in ? all[g].inside | bit : all[g].inside & ~bit;
+      }
     grid.values[all[f].index] = in ? float(-1e-3 * grid.cell) : all[f].was;
   }
   // visit(index into all or −1, whether inside, length of the step in cells)
   template <class Visit>
   void neighbours(int f, const Visit& visit) const {
-    const Places places = places_round(grid, all[f].index);
-    for (int b = 0; b < 27; ++b) {
-      if (b == kCentre) continue;
-      const std::ptrdiff_t n = places.at[b];
-      visit(n < 0 ? -1 : at[n], n >= 0 && grid.values[n] < 0, kNear.step[b]);
-    }
+    for (int b = 0; b < 27; ++b)
+      if (b != kCentre) visit(beside[f][b], (all[f].inside >> b & 1) != 0, kNear.step[b]);
   }
 };
 
@@ -285,10 +296,10 @@ void grow(Fills& fills) {
   };
   // What has nothing solid beside it waits until it has.
   for (int f = 0; f < int(fills.all.size()); ++f)
-    if (fills.around_of(f) & kNear.ring6) push(f);
+    if (fills.all[f].inside & kNear.ring6) push(f);
   while (!queue.empty()) {
     const int f = take(queue, fills.all);
-    if (!addable(fills.around_of(f))) continue;
+    if (!addable(fills.all[f].inside)) continue;
     fills.set(f, true);
     fills.neighbours(f, [&](int g, bool, float) {
       if (g >= 0) push(g);
@@ -327,7 +338,7 @@ void thin(Fills& fills) {
   for (int f = 0; f < int(fills.all.size()); ++f) push(f);
   while (!queue.empty()) {
     const int f = take(queue, fills.all);
-    const Around inside = fills.around_of(f);
+    const Around inside = fills.all[f].inside;
     if ((inside | Around(1) << kCentre) == kNear.all) continue;  // buried, for now
     if (!removable(inside, fills.bubble_of(f))) continue;
     fills.set(f, false);
@@ -343,12 +354,7 @@ void thin(Fills& fills) {
 void close_gaps(Body::Sampled& sampled, const Body& body, double reach,
                 std::span<const JointSphere> spheres) {
   BlockGrid& grid = sampled.grid;
-  Fills fills{grid, {}, std::vector<int>(grid.values.size(), -1), {}};
-  for (std::ptrdiff_t s = 0; s < std::ptrdiff_t(grid.values.size()); ++s) {
-    if (sampled.seam[s] > reach || grid.values[s] < 0) continue;
-    fills.at[s] = int(fills.all.size());
-    fills.all.push_back({s, grid.values[s], sampled.seam[s]});
-  }
+  Fills fills(sampled, reach);
   grow(fills);
   fills.open = open_samples(grid);
   measure_ways(fills);
