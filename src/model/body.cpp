@@ -285,7 +285,7 @@ Result<Body::Sampled> Body::sample(double cell, double reach, Run& run) const {
   grid = BlockGrid(all.min() - Vec3::Constant(cell), cell,
                    ((all.sizes() / cell).array() + 3).ceil().cast<int>() / n + 1);
   std::vector<std::vector<int>> near_block(grid.slot.size());
-  std::vector<char> wanted(grid.slot.size(), 0);
+  std::vector<char> wanted(grid.slot.size(), 0), full(grid.slot.size(), 0);
   for (int i = 0; i < size(); ++i) {
     const Field& f = fields_[i];
     if (f.box.isEmpty()) continue;
@@ -298,9 +298,10 @@ Result<Body::Sampled> Body::sample(double cell, double reach, Run& run) const {
           const Vec3 first = grid.position(n * x, n * y, n * z);
           // A cell more all round: what borders on a block that isn't stored is outside.
           const Box3 box(first - Vec3::Constant(cell), first + Vec3::Constant(side));
-          const float low = range(f, bounds, box)[0];
+          const auto [low, high] = range(f, bounds, box);
           if (low > reach) continue;
           const int b = grid.block_index(x, y, z);
+          full[b] |= high < 0;
           wanted[b] |= low <= 0 || std::any_of(near_block[b].begin(), near_block[b].end(),
                                                [&](int j) { return tree_.meet(i, j); });
           near_block[b].push_back(i);
@@ -327,10 +328,20 @@ Result<Body::Sampled> Body::sample(double cell, double reach, Run& run) const {
     if (b % 64 == 0 && run.cancelled()) return cancelled();
     const Index3 s = grid.first_sample(int(b));
     const Vec3 first = grid.position(s.x(), s.y(), s.z());
-    sampled.near[b] =
-        std::move(near_block[grid.block_index(grid.at[b].x(), grid.at[b].y(), grid.at[b].z())]);
-    fill_block(first, cell, sampled.near[b], &grid.values[b * BlockGrid::kSize],
-               &sampled.seam[b * BlockGrid::kSize]);
+    const int block = grid.block_index(grid.at[b].x(), grid.at[b].y(), grid.at[b].z());
+    sampled.near[b] = std::move(near_block[block]);
+    const std::vector<int>& near = sampled.near[b];
+    float *values = &grid.values[b * BlockGrid::kSize], *seam = &sampled.seam[b * BlockGrid::kSize];
+    const bool strangers = std::any_of(near.begin(), near.end(), [&](int i) {
+      return std::any_of(near.begin(), near.end(),
+                         [&](int j) { return i != j && !tree_.meet(i, j); });
+    });
+    if (full[block] && !strangers) {
+      std::fill(values, values + BlockGrid::kSize, -BlockGrid::kOutside);
+      std::fill(seam, seam + BlockGrid::kSize, BlockGrid::kOutside);
+    } else {
+      fill_block(first, cell, near, values, seam);
+    }
   }
   return sampled;
 }

@@ -16,46 +16,52 @@ using Around = std::uint32_t;
 constexpr int kCentre = 13;
 
 struct Neighbourhoods {
-  Around near6[27] = {}, near26[27] = {};  // the neighbours of each within the 27
   Around ring6 = 0, ring18 = 0, ring26 = 0, all = (Around(1) << 27) - 1;
-  float step[27] = {};  // from the centre
+  Around low[3] = {}, high[3] = {};  // those that have no neighbour before them, or after, per axis
+  float step[27] = {};               // from the centre
 };
 
 constexpr Neighbourhoods neighbourhoods() {
   Neighbourhoods n;
-  for (int a = 0; a < 27; ++a)
-    for (int b = 0; b < 27; ++b) {
-      const auto apart = [&](int unit) {
-        const int d = a / unit % 3 - b / unit % 3;
-        return d < 0 ? -d : d;
-      };
-      const int x = apart(1), y = apart(3), z = apart(9);
-      if (a == b || x > 1 || y > 1 || z > 1) continue;
-      n.near26[a] |= Around(1) << b;
-      if (x + y + z == 1) n.near6[a] |= Around(1) << b;
-      if (a != kCentre) continue;
-      n.step[b] = x + y + z == 1 ? 1 : x + y + z == 2 ? 1.41421356f : 1.73205081f;
-      n.ring26 |= Around(1) << b;
-      if (x + y + z <= 2) n.ring18 |= Around(1) << b;
-      if (x + y + z == 1) n.ring6 |= Around(1) << b;
+  for (int b = 0; b < 27; ++b) {
+    const Around bit = Around(1) << b;
+    int off = 0;  // axes along which it lies aside of the centre
+    for (int axis = 0, unit = 1; axis < 3; ++axis, unit *= 3) {
+      const int at = b / unit % 3;
+      off += at != 1;
+      if (at == 0) n.low[axis] |= bit;
+      if (at == 2) n.high[axis] |= bit;
     }
+    if (off == 0) continue;
+    n.step[b] = off == 1 ? 1 : off == 2 ? 1.41421356f : 1.73205081f;
+    n.ring26 |= bit;
+    if (off <= 2) n.ring18 |= bit;
+    if (off == 1) n.ring6 |= bit;
+  }
   return n;
 }
 constexpr Neighbourhoods kNear = neighbourhoods();
 
-int lowest_bit(Around set) {
-  return __builtin_ctz(set);
+// What lies at or beside the members of a set along one axis.
+Around spread(Around set, int axis) {
+  constexpr int kUnit[3] = {1, 3, 9};
+  return set | (set & ~kNear.high[axis]) << kUnit[axis] | (set & ~kNear.low[axis]) >> kUnit[axis];
+}
+Around spread6(Around set) {
+  return spread(set, 0) | spread(set, 1) | spread(set, 2);
+}
+Around spread26(Around set) {
+  return spread(spread(spread(set, 0), 1), 2);
 }
 
 // How many connected pieces `set` has that hold one of `touching`.
-int pieces(Around set, const Around (&near)[27], Around touching) {
+int pieces(Around set, Around (*beside)(Around), Around touching) {
   int count = 0;
-  while (Around seeds = set & touching) {
-    Around piece = 0, front = seeds & -seeds;
-    while (front) {
-      piece |= front;
-      const Around next = near[lowest_bit(front)] & set & ~piece;
-      front = (front & (front - 1)) | next;
+  while (const Around seeds = set & touching) {
+    Around piece = seeds & -seeds, before = 0;
+    while (piece != before) {
+      before = piece;
+      piece = beside(piece) & set;
     }
     set &= ~piece;
     ++count;
@@ -77,7 +83,7 @@ bool stays_well_composed(Around inside) {
 // Whether the centre can join the solid without joining two places of it: it may end a tunnel,
 // never begin one.
 bool addable(Around inside) {
-  return pieces(inside & kNear.ring18, kNear.near6, kNear.ring6) == 1 &&
+  return pieces(inside & kNear.ring18, spread6, kNear.ring6) == 1 &&
          stays_well_composed(inside | Around(1) << kCentre);
 }
 
@@ -85,9 +91,9 @@ bool addable(Around inside) {
 // and Malandain 1994, 6-connected inside, 26-connected outside). It may let the air into a bubble.
 bool removable(Around inside, Around bubble) {
   const Around outside = ~inside & kNear.ring26;
-  if (pieces(inside & kNear.ring18, kNear.near6, kNear.ring6) != 1) return false;
-  const int open = pieces(outside & ~bubble, kNear.near26, kNear.ring26);
-  const int closed = pieces(outside & bubble, kNear.near26, kNear.ring26);
+  if (pieces(inside & kNear.ring18, spread6, kNear.ring6) != 1) return false;
+  const int open = pieces(outside & ~bubble, spread26, kNear.ring26);
+  const int closed = pieces(outside & bubble, spread26, kNear.ring26);
   if (open > 1 || closed > 1 || open + closed == 0) return false;
   return stays_well_composed(inside & ~(Around(1) << kCentre));
 }

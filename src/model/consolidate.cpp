@@ -59,7 +59,12 @@ struct Pieces {
 Pieces pieces(const QuadMesh& mesh) {
   Pieces p;
   int count = 0;
-  const Triangles F = split_quads(mesh.V, mesh.Q);
+  // Any two triangles of a quad will do.
+  Triangles F(2 * mesh.Q.rows(), 3);
+  for (Eigen::Index q = 0; q < mesh.Q.rows(); ++q) {
+    F.row(2 * q) << mesh.Q(q, 0), mesh.Q(q, 1), mesh.Q(q, 2);
+    F.row(2 * q + 1) << mesh.Q(q, 0), mesh.Q(q, 2), mesh.Q(q, 3);
+  }
   p.of = vertex_components({mesh.V, F}, &count);
   p.volume.assign(count, 0);
   p.vertices.assign(count, 0);

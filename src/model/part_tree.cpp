@@ -1,6 +1,7 @@
 #include "model/part_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -10,46 +11,36 @@ namespace artisketch {
 namespace {
 
 // The diameter of the largest ball inside. A part's distances end some cells from its surface: from
-// there on by chamfer steps (Borgefors 1986) over every third sample.
+// there on by chamfer steps (Borgefors 1986) over every fourth sample.
 double width_of(const Grid3<float>& g, float least) {
-  constexpr int kStride = 3;
-  const Index3 size = (g.size.array() + (kStride - 1)) / kStride;
+  constexpr int kStride = 4;
+  // One more all round, which is outside.
+  const Index3 size = (g.size.array() + (kStride - 1)) / kStride + 2;
   const std::ptrdiff_t sy = size.x(), sz = sy * size.y();
-  std::vector<float> depth(std::size_t(sz) * size.z());
-  std::size_t at = 0;
-  for (int k = 0; k < size.z(); ++k)
-    for (int j = 0; j < size.y(); ++j)
-      for (int i = 0; i < size.x(); ++i, ++at) {
+  std::vector<float> depth(std::size_t(sz) * size.z(), 0.0f);
+  for (int k = 0; k < size.z() - 2; ++k)
+    for (int j = 0; j < size.y() - 2; ++j)
+      for (int i = 0; i < size.x() - 2; ++i) {
         const float d = -g(kStride * i, kStride * j, kStride * k);
-        depth[at] = d < -0.99f * least ? std::max(d, 0.0f) : BlockGrid::kOutside;
+        depth[i + 1 + sy * (j + 1) + sz * (k + 1)] = d < -0.99f * least ? d : BlockGrid::kOutside;
       }
-  struct Step {
-    int x, y, z;
-    std::ptrdiff_t to;
-    float way;
-  };
-  std::vector<Step> steps;  // to the 13 neighbours that come earlier
-  for (int z = -1; z <= 0; ++z)
-    for (int y = -1; y <= 1; ++y)
-      for (int x = -1; x <= 1; ++x)
-        if (const std::ptrdiff_t to = x + sy * y + sz * z; z < 0 || y < 0 || (y == 0 && x < 0))
-          steps.push_back({x, y, z, to, float(kStride * g.cell * Vec3(x, y, z).norm())});
+  std::array<std::ptrdiff_t, 13> to;  // the neighbours that come earlier
+  std::array<float, 13> way;
+  for (int n = 0; n < 13; ++n) {
+    const Index3 step(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+    to[n] = step.x() + sy * step.y() + sz * step.z();
+    way[n] = float(kStride * g.cell * step.cast<double>().norm());
+  }
   float deepest = -least;
-  for (const int way : {1, -1})
-    for (int k = 0; k < size.z(); ++k)
-      for (int j = 0; j < size.y(); ++j)
-        for (int i = 0; i < size.x(); ++i) {
-          const Index3 p = way > 0 ? Index3(i, j, k) : Index3(size - Index3(i + 1, j + 1, k + 1));
-          float& here = depth[p.x() + sy * p.y() + sz * p.z()];
-          if (here == 0) continue;
-          for (const Step& step : steps) {
-            const Index3 q = p + way * Index3(step.x, step.y, step.z);
-            // Beyond the grid is outside.
-            const bool in = (q.array() >= 0).all() && (q.array() < size.array()).all();
-            here = std::min(here, (in ? (&here)[way * step.to] : 0) + step.way);
-          }
-          if (way < 0) deepest = std::max(deepest, here);
-        }
+  const std::ptrdiff_t first = 1 + sy + sz, last = std::ptrdiff_t(depth.size()) - 1 - first;
+  for (std::ptrdiff_t at = first; at <= last; ++at)
+    for (int n = 0; n < 13 && depth[at] > 0; ++n)
+      depth[at] = std::min(depth[at], depth[at + to[n]] + way[n]);
+  for (std::ptrdiff_t at = last; at >= first; --at) {
+    for (int n = 0; n < 13 && depth[at] > 0; ++n)
+      depth[at] = std::min(depth[at], depth[at - to[n]] + way[n]);
+    deepest = std::max(deepest, depth[at]);
+  }
   return 2 * double(deepest);
 }
 
@@ -63,13 +54,17 @@ void measure(const Grid3<float>& g, PartTree::Node& node, Vec3& centroid) {
   for (int k = 0; k < g.size.z(); ++k)
     for (int j = 0; j < g.size.y(); ++j) {
       const float* row = &g.values[at];
-      int in_row = 0;
-      double sum_x = 0;
+      int in_row = 0, sum_x = 0;
+      float least_in_row = 0;
       for (int i = 0; i < g.size.x(); ++i) {
         const bool in = row[i] < 0;
         in_row += in;
         sum_x += in ? i : 0;
-        if (row[i] < least) least = row[i], deepest = at + i;
+        least_in_row = std::min(least_in_row, row[i]);
+      }
+      if (least_in_row < least) {
+        least = least_in_row;
+        deepest = at + std::size_t(std::find(row, row + g.size.x(), least) - row);
       }
       for (int i = 1; i < g.size.x(); ++i) crossings += (row[i] < 0) != (row[i - 1] < 0);
       for (int i = 0; i < g.size.x() && j > 0; ++i)

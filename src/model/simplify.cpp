@@ -33,8 +33,11 @@ Mesh collapsed(const Mesh& mesh, int triangles, double error) {
 }  // namespace
 
 Mesh simplified(const Mesh& mesh, int triangles, double error) {
-  const Topology before = topology(mesh);
   if (mesh.F.rows() <= triangles) return mesh;
+  int components = 0;
+  vertex_components(mesh, &components);
+  // Three sides to a triangle, two triangles to an edge.
+  const int euler = int(mesh.V.rows() - mesh.F.rows() / 2);
   // meshoptimizer looks at a vertex's own triangles alone and may, rarely, pinch a thin place; the
   // more it takes away, the likelier. The shortest edges, which say the least, go by our own
   // collapses, which keep the surface a manifold: the more of them, the rarer a pinch. They
@@ -46,8 +49,8 @@ Mesh simplified(const Mesh& mesh, int triangles, double error) {
       Mesh fewer = collapsed(even, int(wanted * triangles), error);
       const Topology after = topology(fewer);
       // Thin places pass through each other where their sides are thinned apart.
-      if (after.manifold() && after.euler == before.euler &&
-          after.components == before.components && untangle(fewer) == 0)
+      if (after.manifold() && after.euler == euler && after.components == components &&
+          untangle(fewer) == 0)
         return fewer;
     }
   Mesh even = coarsened(mesh, int(std::max(1.5 * triangles, mesh.F.rows() / 6.0) / 2));
