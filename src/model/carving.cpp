@@ -172,25 +172,28 @@ void Silhouette::raise(const Vec3& start, const Vec3& step, int n, float* values
   }
 }
 
-Result<Carving> carving_of(const Part& part, std::span<const PartView* const> extra, int cells) {
+Result<Carving> carving_of(const Part& part, int cells) {
   Carving carving;
   carving.name = part.name;
   carving.middle = middle_of_bones(part);
   carving.radius = std::numeric_limits<double>::infinity();
-  const auto add = [&](const PartView& view) {
-    if (!view.seen()) return;
+  add_views(part, part.views, cells, carving);
+  if (carving.views.empty())
+    return bad_input("'" + part.name + "' has no closed contour in any frame");
+  return carving;
+}
+
+void add_views(const Part& part, std::span<const PartView> views, int cells, Carving& carving) {
+  for (const PartView& view : views) {
+    if (!view.seen()) continue;
     carving.views.emplace_back(view, cells);
     carving.radius = std::min(carving.radius, carving.views.back().raster.deepest() /
                                                   view.pixels_per_unit(carving.middle));
-  };
-  for (const PartView& view : part.views) add(view);
-  if (carving.views.empty())
-    return bad_input("'" + part.name + "' has no closed contour in any frame");
-  for (const PartView* view : extra) add(*view);
+  }
+  if (carving.views.empty()) return;
   carving.slab = slab_of(carving.views, carving.middle);
   carving.slab.half *= part.fatness;
   carving.room = room_of(carving);
-  return carving;
 }
 
 Result<Grid3<float>> carving_grid(const Carving& carving, int cells) {
@@ -211,7 +214,7 @@ Result<Grid3<float>> carving_grid(const Carving& carving, int cells) {
                       std::numeric_limits<float>::max());
 }
 
-Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run) {
+Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double band) {
   Result<Grid3<float>> grid = carving_grid(carving, cells);
   if (!grid) return grid;
   Grid3<float>& g = *grid;
@@ -227,8 +230,8 @@ Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run) {
         const Vec3 centre =
             g.origin + g.cell * (Vec3(i0, j0, k0) + Vec3::Constant((kBlock - 1) / 2.0));
         const double at_centre = carving.distance(centre);
-        // A margin of four cells keeps true distances where level sets and interpolation look.
-        const bool far = std::abs(at_centre) > 1.5 * reach + 4 * g.cell;
+        // The rasters are a few per cent off.
+        const bool far = std::abs(at_centre) > 1.5 * reach + band * g.cell;
         const int n = std::min(kBlock, g.size.x() - i0);
         for (int k = k0; k < std::min(k0 + kBlock, g.size.z()); ++k)
           for (int j = j0; j < std::min(j0 + kBlock, g.size.y()); ++j) {
@@ -249,14 +252,11 @@ Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run) {
 }
 
 void widen_until_they_meet(Carving& carving, std::vector<std::string>& warnings) {
-  const auto leaves_nothing = [&](double grown) {
-    for (Silhouette& view : carving.views) view.grown = grown;
-    return hull_box(carving).isEmpty();
-  };
   // The box search keeps what may touch, so a hull of nothing may leave a box: look for an inside.
   const auto has_inside = [&](double grown) {
-    if (leaves_nothing(grown)) return false;
+    for (Silhouette& view : carving.views) view.grown = grown;
     const Box3 box = hull_box(carving);
+    if (box.isEmpty()) return false;
     constexpr int n = 24;
     for (int k = 0; k <= n; ++k)
       for (int j = 0; j <= n; ++j)

@@ -55,13 +55,16 @@ struct Carving {
   bool one_direction() const { return !std::isinf(slab.half); }
 };
 
-// The closed outlines of the part's own views and of `extra` ones. `cells` along the longest side
-// sets the rasters' resolution. Fails where no view has a closed outline.
-Result<Carving> carving_of(const Part& part, std::span<const PartView* const> extra, int cells);
+// The closed outlines of the part's own views. `cells` along the longest side sets the rasters'
+// resolution. Fails where no view has a closed outline.
+Result<Carving> carving_of(const Part& part, int cells);
+// The part's carving with the outlines of further views beside its own.
+void add_views(const Part& part, std::span<const PartView> views, int cells, Carving& carving);
 
-// part_grid and visual_hull of stages.h for a carving.
+// part_grid and visual_hull of stages.h for a carving. Distances of up to about `band` cells are
+// true; beyond, the sign is, and the value lies beyond `band`.
 Result<Grid3<float>> carving_grid(const Carving& carving, int cells);
-Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run);
+Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double band = 4);
 
 // Grows all outlines until they share a volume, if they share none, and says so in a warning.
 void widen_until_they_meet(Carving& carving, std::vector<std::string>& warnings);
