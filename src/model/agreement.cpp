@@ -1,6 +1,8 @@
 #include "model/agreement.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "model/ray_rims.h"
 
@@ -32,12 +34,14 @@ Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Bo
   const double middle = (room.center() - ray.origin).dot(ray.direction);
   const double first = middle - room.diagonal().norm() / 2;
   const double step = room.diagonal().norm() / kSteps;
-  double least = std::numeric_limits<double>::infinity(), at = middle;
-  for (int k = 0; k <= kSteps; ++k)
-    if (const double d = outside(first + k * step); d < least) {
-      least = d;
-      at = first + k * step;
-    }
+  std::array<float, kSteps + 1> along;
+  along.fill(-std::numeric_limits<float>::infinity());
+  for (const Silhouette* other : others)
+    other->raise(ray.at(first), step * ray.direction, kSteps + 1, along.data(),
+                 Silhouette::Unit::pixels);
+  const auto nearest = std::min_element(along.begin(), along.end());
+  double least = *nearest;
+  double at = std::isinf(least) ? middle : first + step * double(nearest - along.begin());
   // Golden section around the best sample.
   double low = at - step, high = at + step;
   constexpr double kGolden = 0.61803398874989485;

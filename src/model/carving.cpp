@@ -144,32 +144,56 @@ double Silhouette::distance(const Vec3& p) const {
   return (raster.distance(view->camera.project(X)) - grown) / view->camera.pixels_per_unit(X.z());
 }
 
-void Silhouette::raise(const Vec3& start, const Vec3& step, int n, float* values) const {
-  const FrameCamera& camera = view->camera;
-  const Vec3 X = view->to_world * start, d = view->to_world.linear() * step;
+namespace {
+
+using Vec3f = Eigen::Vector3f;
+
+// Raises a row of values to the distances along a line in world space.
+void raise_row(const Silhouette& s, const Vec3f& X, const Vec3f& d, int n, float* values,
+               Silhouette::Unit unit) {
+  const FrameCamera& camera = s.view->camera;
+  const bool pixels = unit == Silhouette::Unit::pixels;
   const float px = float(camera.principal_point.x()), py = float(camera.principal_point.y());
-  const float x = float(X.x()), y = float(X.y()), dx = float(d.x()), dy = float(d.y());
-  const float g = float(grown);
+  const float x = X.x(), y = X.y(), dx = d.x(), dy = d.y(), grown = float(s.grown);
   if (camera.camera.type == Camera::Type::orthographic) {
-    const float s = float(camera.pixels_per_unit(0)), per_s = 1 / s;
+    const float scale = float(camera.pixels_per_unit(0)), per_scale = pixels ? 1 : 1 / scale;
+    const float u0 = px + scale * x, du = scale * dx, v0 = py - scale * y, dv = -scale * dy;
     for (int i = 0; i < n; ++i) {
-      const float u = px + s * (x + float(i) * dx), v = py - s * (y + float(i) * dy);
-      values[i] = std::max(values[i], (raster.distance(u, v) - g) * per_s);
+      const float distance = s.raster.distance(u0 + float(i) * du, v0 + float(i) * dv);
+      values[i] = std::max(values[i], (distance - grown) * per_scale);
     }
-  } else {
-    const float f = float(camera.camera.focal_length);
-    const float w = float(camera.camera.distance - X.z()), dw = float(-d.z());
-    for (int i = 0; i < n; ++i) {
-      const float depth = w + float(i) * dw;
-      if (depth <= 0) {
-        values[i] = std::numeric_limits<float>::infinity();
-        continue;
-      }
-      const float s = f / depth;
-      const float u = px + s * (x + float(i) * dx), v = py - s * (y + float(i) * dy);
-      values[i] = std::max(values[i], (raster.distance(u, v) - g) / s);
-    }
+    return;
   }
+  const float f = float(camera.camera.focal_length);
+  const float w = float(camera.camera.distance) - X.z(), dw = -d.z();
+  for (int i = 0; i < n; ++i) {
+    const float depth = w + float(i) * dw;
+    if (depth <= 0) {
+      values[i] = std::numeric_limits<float>::infinity();
+      continue;
+    }
+    const float scale = f / depth;
+    const float u = px + scale * (x + float(i) * dx), v = py - scale * (y + float(i) * dy);
+    const float distance = s.raster.distance(u, v) - grown;
+    values[i] = std::max(values[i], pixels ? distance : distance / scale);
+  }
+}
+
+}  // namespace
+
+void Silhouette::raise(const Vec3& start, const Vec3& step, int n, float* values, Unit unit) const {
+  raise_row(*this, (view->to_world * start).cast<float>(),
+            (view->to_world.linear() * step).cast<float>(), n, values, unit);
+}
+
+void Silhouette::raise(const Vec3& start, double cell, const Index3& n, float* values,
+                       std::ptrdiff_t stride_y, std::ptrdiff_t stride_z) const {
+  const Vec3f X = (view->to_world * start).cast<float>();
+  const Eigen::Matrix3f d = (cell * view->to_world.linear()).cast<float>();
+  for (int k = 0; k < n.z(); ++k)
+    for (int j = 0; j < n.y(); ++j)
+      raise_row(*this, X + float(j) * d.col(1) + float(k) * d.col(2), d.col(0), n.x(),
+                values + j * stride_y + k * stride_z, Unit::units);
 }
 
 Result<Carving> carving_of(const Part& part, int cells) {
@@ -232,20 +256,16 @@ Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double b
         const double at_centre = carving.distance(centre);
         // The rasters are a few per cent off.
         const bool far = std::abs(at_centre) > 1.5 * reach + band * g.cell;
-        const int n = std::min(kBlock, g.size.x() - i0);
-        for (int k = k0; k < std::min(k0 + kBlock, g.size.z()); ++k)
-          for (int j = j0; j < std::min(j0 + kBlock, g.size.y()); ++j) {
+        const Index3 n = (g.size - Index3(i0, j0, k0)).cwiseMin(kBlock);
+        for (int k = k0; k < k0 + n.z(); ++k)
+          for (int j = j0; j < j0 + n.y(); ++j) {
             float* row = &g(i0, j, k);
-            if (far) {
-              std::fill(row, row + n, float(at_centre));
-              continue;
-            }
-            const Vec3 start = g.position(i0, j, k);
-            for (int i = 0; i < n; ++i)
-              row[i] = float(carving.slab.distance(start + Vec3(i * g.cell, 0, 0)));
-            for (const Silhouette& view : carving.views)
-              view.raise(start, Vec3(g.cell, 0, 0), n, row);
+            for (int i = 0; i < n.x(); ++i)
+              row[i] = float(far ? at_centre : carving.slab.distance(g.position(i0 + i, j, k)));
           }
+        if (far) continue;
+        for (const Silhouette& view : carving.views)
+          view.raise(g.position(i0, j0, k0), g.cell, n, &g(i0, j0, k0), g.stride_y(), g.stride_z());
       }
   }
   return grid;

@@ -21,8 +21,14 @@ struct Silhouette {
   Silhouette(const PartView& view, int cells);
   // Signed distance to the cone at p in units, negative inside; +infinity behind the camera.
   double distance(const Vec3& p) const;
+  enum class Unit { units, pixels };
   // values[i] = max(values[i], distance(start + i · step)), i = 0 … n − 1.
-  void raise(const Vec3& start, const Vec3& step, int n, float* values) const;
+  void raise(const Vec3& start, const Vec3& step, int n, float* values,
+             Unit unit = Unit::units) const;
+  // The same for the samples (i, j, k) of a block, `cell` apart along the axes: x fastest, rows
+  // stride_y and stride_z apart in `values`.
+  void raise(const Vec3& start, double cell, const Index3& n, float* values,
+             std::ptrdiff_t stride_y, std::ptrdiff_t stride_z) const;
 };
 
 // Whether two view directions leave the same depth open: within 10° of each other or of each
