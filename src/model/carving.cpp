@@ -243,29 +243,35 @@ Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double b
   if (!grid) return grid;
   Grid3<float>& g = *grid;
   // Blocks of 4³ samples: one question in the middle tells whether the block lies wholly outside or
-  // inside by more than its half diagonal. A projection stretches lengths by no more than its
-  // pixels per unit, so the distance in units changes by at most about the way walked.
+  // inside by more than its half diagonal, and which views are nowhere the largest in it. A
+  // projection stretches lengths by no more than its pixels per unit, so the distance in units
+  // changes by at most about the way walked; the rasters are a few per cent off.
   constexpr int kBlock = 4;
-  const double reach = g.cell * (kBlock - 1) / 2.0 * std::sqrt(3.0);
+  constexpr double kStretch = 1.2;
+  const double reach = kStretch * g.cell * (kBlock - 1) / 2.0 * std::sqrt(3.0);
+  std::vector<double> at_centre(carving.views.size());
   for (int k0 = 0; k0 < g.size.z(); k0 += kBlock) {
     if (run.cancelled()) return cancelled();
     for (int j0 = 0; j0 < g.size.y(); j0 += kBlock)
       for (int i0 = 0; i0 < g.size.x(); i0 += kBlock) {
         const Vec3 centre =
             g.origin + g.cell * (Vec3(i0, j0, k0) + Vec3::Constant((kBlock - 1) / 2.0));
-        const double at_centre = carving.distance(centre);
-        // The rasters are a few per cent off.
-        const bool far = std::abs(at_centre) > 1.5 * reach + band * g.cell;
+        double most = carving.slab.distance(centre);
+        for (std::size_t v = 0; v < at_centre.size(); ++v)
+          most = std::max(most, at_centre[v] = carving.views[v].distance(centre));
+        const bool far = std::abs(most) > reach + band * g.cell;
         const Index3 n = (g.size - Index3(i0, j0, k0)).cwiseMin(kBlock);
         for (int k = k0; k < k0 + n.z(); ++k)
           for (int j = j0; j < j0 + n.y(); ++j) {
             float* row = &g(i0, j, k);
             for (int i = 0; i < n.x(); ++i)
-              row[i] = float(far ? at_centre : carving.slab.distance(g.position(i0 + i, j, k)));
+              row[i] = float(far ? most : carving.slab.distance(g.position(i0 + i, j, k)));
           }
         if (far) continue;
-        for (const Silhouette& view : carving.views)
-          view.raise(g.position(i0, j0, k0), g.cell, n, &g(i0, j0, k0), g.stride_y(), g.stride_z());
+        for (std::size_t v = 0; v < at_centre.size(); ++v)
+          if (at_centre[v] >= most - 2 * reach)
+            carving.views[v].raise(g.position(i0, j0, k0), g.cell, n, &g(i0, j0, k0), g.stride_y(),
+                                   g.stride_z());
       }
   }
   return grid;
