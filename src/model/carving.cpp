@@ -87,24 +87,35 @@ Box3 hull_box(const Carving& carving) {
   for (int pass = 0; pass < 3; ++pass) {
     const Vec3 step = box.sizes() / n;
     const float reach = float(step.norm() / 2 * 1.05);  // the rasters' few per cent
-    Box3 kept;
+    // From the middle out: what lies between samples that are kept need not be asked.
+    Index3 from = Index3::Constant(n), to = Index3::Constant(-1);  // the kept samples
+    const auto outward = [](int i) { return n / 2 + (i % 2 ? -(i + 1) / 2 : i / 2); };
+    float row[n];
+    const auto ask = [&](int begin, int end, int j, int k) {
+      if (begin >= end) return;
+      const Vec3 start = box.min() + Vec3(begin + 0.5, j + 0.5, k + 0.5).cwiseProduct(step);
+      const Vec3 along(step.x(), 0, 0);
+      for (int i = 0; i < end - begin; ++i)
+        row[i] = float(carving.slab.distance(start + i * along));
+      for (const Silhouette& view : carving.views) view.raise(start, along, end - begin, row);
+      for (int i = begin; i < end; ++i)
+        if (row[i - begin] <= reach) {
+          from = from.cwiseMin(Index3(i, j, k));
+          to = to.cwiseMax(Index3(i, j, k));
+        }
+    };
     for (int k = 0; k < n; ++k)
       for (int j = 0; j < n; ++j) {
-        const Vec3 start = box.min() + Vec3(0.5, j + 0.5, k + 0.5).cwiseProduct(step);
-        float row[n];
-        for (int i = 0; i < n; ++i)
-          row[i] = float(carving.slab.distance(start + Vec3(i * step.x(), 0, 0)));
-        for (const Silhouette& view : carving.views)
-          view.raise(start, Vec3(step.x(), 0, 0), n, row);
-        for (int i = 0; i < n; ++i)
-          if (row[i] <= reach) {
-            const Vec3 p = start + Vec3(i * step.x(), 0, 0);
-            kept.extend(p - step / 2);
-            kept.extend(p + step / 2);
-          }
+        const Index3 at(0, outward(j), outward(k));
+        const bool between = (at.tail<2>().array() >= from.tail<2>().array()).all() &&
+                             (at.tail<2>().array() <= to.tail<2>().array()).all();
+        const int first = between ? from.x() : n, last = between ? to.x() : n;
+        ask(0, first, at.y(), at.z());
+        ask(last + 1, n, at.y(), at.z());
       }
-    if (kept.isEmpty()) return kept;
-    box = kept;
+    if (to.x() < 0) return {};
+    box = Box3(box.min() + from.cast<double>().cwiseProduct(step),
+               box.min() + (to + Index3::Ones()).cast<double>().cwiseProduct(step));
   }
   return box;
 }
