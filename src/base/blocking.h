@@ -1,5 +1,5 @@
-// Eigen cuts a large product to fit the machine's caches, so that sums are taken in another order on
-// each machine, and last bits differ. One size for all gives the same bytes everywhere.
+// Eigen cuts a large product to fit the machine's caches, so that sums are taken in another order
+// on each machine, and last bits differ. One size for all gives the same bytes everywhere.
 #pragma once
 
 #include <cstddef>

@@ -80,12 +80,6 @@ double fatness_of(const Document& document, int joint) {
 
 namespace {
 
-bool same(const Pose& a, const Pose& b) {
-  return a.root_position == b.root_position &&
-         std::equal(a.rotations.begin(), a.rotations.end(), b.rotations.begin(), b.rotations.end(),
-                    [](const Quat& p, const Quat& q) { return p.coeffs() == q.coeffs(); });
-}
-
 bool same(const Contour& a, const Contour& b) {
   return a.joint == b.joint && a.line.closed == b.line.closed && a.line.points == b.line.points;
 }
@@ -96,7 +90,8 @@ bool same(const Joint& a, const Joint& b) {
 
 bool same(const Frame& a, const Frame& b) {
   return a.width == b.width && a.height == b.height && a.image == b.image &&
-         a.principal_point == b.principal_point && a.scale == b.scale && same(a.pose, b.pose) &&
+         a.principal_point == b.principal_point && a.scale == b.scale &&
+         same_pose(a.pose, b.pose) &&
          std::equal(a.contours.begin(), a.contours.end(), b.contours.begin(), b.contours.end(),
                     [](const Contour& p, const Contour& q) { return same(p, q); });
 }

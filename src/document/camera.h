@@ -17,6 +17,8 @@ struct Ray {
   Vec3 origin;
   Vec3 direction;  // unit length, away from the camera
   Vec3 at(double depth) const { return origin + depth * direction; }
+  double depth_at(double z) const { return (z - origin.z()) / direction.z(); }
+  Vec3 at_z(double z) const { return at(depth_at(z)); }  // its point with that z in the world
 };
 
 // The camera as one frame sees it: with the frame's principal point and, where orthographic, its

@@ -5,14 +5,6 @@
 #include <cmath>
 
 namespace artisketch {
-namespace {
-
-double cross(const Vec2& a, const Vec2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-}  // namespace
-
 double signed_area(const Polyline& closed) {
   double twice = 0;
   for (std::size_t i = 0; i < closed.points.size(); ++i)

@@ -17,8 +17,13 @@ struct Polyline {
   const Vec2& end_of(std::size_t segment) const { return points[(segment + 1) % points.size()]; }
 };
 
-double signed_area(
-    const Polyline& closed);  // pixels²; positive where the points run clockwise on screen (y down)
+// z of the cross product: positive where b lies clockwise of a on screen (y down).
+inline double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+// Pixels²; positive where the points run clockwise on screen.
+double signed_area(const Polyline& closed);
 double length(const Polyline& line);
 bool contains(const Polyline& closed, const Vec2& p);  // even-odd
 Box2 bounds(std::span<const Polyline> lines);

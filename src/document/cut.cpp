@@ -7,10 +7,6 @@
 namespace artisketch {
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 struct Crossing {
   std::size_t segment;  // of the outline
   Vec2 point;

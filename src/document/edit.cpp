@@ -221,19 +221,4 @@ std::optional<Document> with_contour_mirrored(const Document& document, int fram
   return with_contour(document, frame, std::move(copy));
 }
 
-// ---------------------------------------------------------------- skeleton
-
-Document with_joint_offset(Document document, int joint, const Vec3& offset) {
-  std::vector<Joint>& joints = document.skeleton.joints;
-  const auto reflected = [](const Vec3& v) { return Vec3(-v.x(), v.y(), v.z()); };
-  const int mirror = joints.at(joint).mirror;
-  constexpr double kAlike = 1e-3;  // of the offset's length
-  if (mirror >= 0 && mirror != joint &&
-      (joints[mirror].offset - reflected(joints[joint].offset)).norm() <=
-          kAlike * joints[joint].offset.norm())
-    joints[mirror].offset = reflected(offset);
-  joints[joint].offset = offset;
-  return document;
-}
-
 }  // namespace artisketch

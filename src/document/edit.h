@@ -39,8 +39,8 @@ Document without_frame(Document document, int frame);
 Document with_frame_moved(Document document, int frame, int to);
 Document with_frame_copied(Document document, int frame);  // right after it
 Document with_pose(Document document, int frame, Pose pose);
-// The other kind of camera, which shows what stands at depth 0 as large as before; a perspective one
-// stands four figures' heights away.
+// The other kind of camera, which shows what stands at depth 0 as large as before; a perspective
+// one stands four figures' heights away.
 Document with_camera_type(Document document, Camera::Type type);
 
 // A pose that shows the rest pose upright within the middle of the frame: its root position.
@@ -65,8 +65,8 @@ Document with_contour_copied(Document document, int frame, int contour, int to_f
 std::optional<Document> with_contour_mirrored(const Document& document, int frame, int contour);
 
 // A freehand stroke as an outline: smoothed over `smooth` pixels, simplified to within `error`
-// pixels, closed where its ends are within `reach` of each other, without the small loop that a hand
-// leaves there. Nothing where it is too short.
+// pixels, closed where its ends are within `reach` of each other, without the small loop that a
+// hand leaves there. Nothing where it is too short.
 struct StrokeOptions {
   double smooth = 2;
   double error = 0.35;
@@ -104,10 +104,5 @@ struct Candidate {
   std::string reason;
 };
 std::vector<Candidate> joint_candidates(const Document& document, int frame, const Polyline& line);
-
-// ---------------------------------------------------------------- skeleton
-
-// A joint elsewhere in the rest pose; its mirror image follows where the two were each other's.
-Document with_joint_offset(Document document, int joint, const Vec3& offset);
 
 }  // namespace artisketch

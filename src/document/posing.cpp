@@ -29,10 +29,6 @@ void aim(const Skeleton& skeleton, Pose& pose, int joint, const Vec3& target) {
   turn_in_world(skeleton, pose, pivot, Quat::FromTwoVectors(from, to));
 }
 
-Vec3 at_depth(const Ray& ray, double z) {
-  return ray.at((z - ray.origin.z()) / ray.direction.z());
-}
-
 // The point of the ray that is within `reach` of the centre and nearest to the depth z: the
 // nearest one to the centre, drawn in to the reach, where the ray passes it by.
 Vec3 within_reach(const Ray& ray, const Vec3& centre, double reach, double z) {
@@ -41,8 +37,7 @@ Vec3 within_reach(const Ray& ray, const Vec3& centre, double reach, double z) {
   const double off = (nearest - centre).norm();
   if (off >= reach) return centre + (reach / off) * (nearest - centre);
   const double half = std::sqrt(reach * reach - off * off);
-  const double wanted = (z - ray.origin.z()) / ray.direction.z();
-  return ray.at(std::clamp(wanted, middle - half, middle + half));
+  return ray.at(std::clamp(ray.depth_at(z), middle - half, middle + half));
 }
 
 // Where the ray meets the sphere, on the side where `behind` says; as within_reach where it passes.
@@ -128,8 +123,7 @@ Pose with_joint_dragged(const Skeleton& skeleton, const Pose& pose, const FrameC
   const auto place = [&](int j) { return Vec3(posed[j].translation()); };
   const Ray ray = camera.ray(pixel);
   const int bones = bones_dragged(skeleton, joint);
-  if (bones == 0)
-    return with_joint_at(skeleton, pose, joint, at_depth(ray, place(joint).z()), bones);
+  if (bones == 0) return with_joint_at(skeleton, pose, joint, ray.at_z(place(joint).z()), bones);
   const int parent = skeleton.joints[joint].parent;
   const double length = (place(joint) - place(parent)).norm();
   if (bones == 2) {
@@ -156,7 +150,7 @@ Pose with_joint_depth(const Skeleton& skeleton, const Pose& pose, const FrameCam
   const auto place = [&](int j) { return Vec3(posed[j].translation()); };
   const Ray ray = camera.ray(camera.project(place(joint)));
   const int bones = bones_dragged(skeleton, joint);
-  if (bones == 0) return with_joint_at(skeleton, pose, joint, at_depth(ray, z), bones);
+  if (bones == 0) return with_joint_at(skeleton, pose, joint, ray.at_z(z), bones);
   const int parent = skeleton.joints[joint].parent;
   const Vec3 bone = place(joint) - place(parent);
   if (bones == 2) {

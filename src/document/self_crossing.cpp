@@ -11,10 +11,6 @@
 namespace artisketch {
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 // Side of c seen from the line a b: −1, 0, 1; 0 at its ends however the compiler rounds.
 int side(const Vec2& a, const Vec2& b, const Vec2& c) {
   if (c == a || c == b) return 0;

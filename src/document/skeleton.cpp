@@ -1,5 +1,6 @@
 #include "document/skeleton.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace artisketch {
@@ -22,6 +23,12 @@ Pose rest_pose(const Skeleton& skeleton) {
   pose.rotations.assign(skeleton.size(), Quat::Identity());
   if (skeleton.size()) pose.root_position = skeleton.joints[0].offset;
   return pose;
+}
+
+bool same_pose(const Pose& a, const Pose& b) {
+  return a.root_position == b.root_position &&
+         std::equal(a.rotations.begin(), a.rotations.end(), b.rotations.begin(), b.rotations.end(),
+                    [](const Quat& p, const Quat& q) { return p.coeffs() == q.coeffs(); });
 }
 
 std::vector<Vec3> rest_positions(const Skeleton& skeleton) {

@@ -32,6 +32,9 @@ struct Pose {
 
 Pose rest_pose(const Skeleton& skeleton);
 
+// Whether two poses are the same to the last bit; what a file said besides doesn't count.
+bool same_pose(const Pose& a, const Pose& b);
+
 // Rest-space position of every joint.
 std::vector<Vec3> rest_positions(const Skeleton& skeleton);
 

@@ -93,9 +93,7 @@ std::vector<Shown> shown_in(const Document& document, int frame) {
 
 // A pixel's point at the depth of a joint of a posed frame, from the joint in its own axes.
 Vec3 on_part(const FrameCamera& camera, const Transform& posed, const Vec2& pixel) {
-  const Ray ray = camera.ray(pixel);
-  const double z = posed.translation().z();
-  return posed.inverse() * ray.at((z - ray.origin.z()) / ray.direction.z());
+  return posed.inverse() * camera.ray(pixel).at_z(posed.translation().z());
 }
 
 std::vector<Place> places_in(const Document& document, int frame) {
@@ -164,8 +162,7 @@ class Search {
     Vec3 off = Vec3::Zero();
     for (const Place& place : places_) {
       const Vec3 here = posed[place.joint] * place.at;
-      const Ray ray = camera_.ray(place.seen);
-      off += ray.at((here.z() - ray.origin.z()) / ray.direction.z()) - here;
+      off += camera_.ray(place.seen).at_z(here.z()) - here;
     }
     pose.root_position += off / double(places_.size());
     return pose;

@@ -82,9 +82,8 @@ void Editor::touch(const Fingers& fingers) {
   if (fingers.began) {
     // The first finger may have begun something before the second came.
     work.stroke.clear();
-    if (work.gesture.moved) work.history.undo();
+    if (work.gesture.moved) work.undo();
     work.gesture = {};
-    work.settle();
   }
   if (fingers.tapped == 2) work.ask(Command::undo);
   if (fingers.tapped == 3) work.ask(Command::redo);

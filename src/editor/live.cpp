@@ -124,11 +124,8 @@ const std::vector<PartMarks>& marks_of_drawing(Work& work) {
   const Pose pose = work.drawn_pose();
   const long revision = work.history.revision();
   const bool theirs = work.proposal && work.proposal->theirs();
-  const auto same_turn = [](const Quat& a, const Quat& b) { return a.coeffs() == b.coeffs(); };
   if (!live.marks_stale && live.marks_theirs == theirs && live.marks_revision == revision &&
-      live.marks_frame == work.view.frame && live.marks_pose.root_position == pose.root_position &&
-      std::equal(pose.rotations.begin(), pose.rotations.end(), live.marks_pose.rotations.begin(),
-                 live.marks_pose.rotations.end(), same_turn))
+      live.marks_frame == work.view.frame && same_pose(live.marks_pose, pose))
     return live.marks;
   live.marks_stale = false;
   live.marks_revision = revision;

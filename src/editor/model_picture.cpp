@@ -176,11 +176,8 @@ void RenderTarget::end() {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-bool Scene::same_pose(const Scene& other) const {
-  const auto same = [](const Quat& a, const Quat& b) { return a.coeffs() == b.coeffs(); };
-  return shift == other.shift && pose.root_position == other.pose.root_position &&
-         std::equal(pose.rotations.begin(), pose.rotations.end(), other.pose.rotations.begin(),
-                    other.pose.rotations.end(), same);
+bool Scene::stands_as(const Scene& other) const {
+  return shift == other.shift && same_pose(pose, other.pose);
 }
 
 bool Scene::operator==(const Scene& other) const {
@@ -188,7 +185,7 @@ bool Scene::operator==(const Scene& other) const {
     return std::tuple(s.model, s.options.surface, s.options.joint, s.options.ground, s.options.dark,
                       s.width, s.height);
   };
-  return key(*this) == key(other) && clip == other.clip && turn == other.turn && same_pose(other);
+  return key(*this) == key(other) && clip == other.clip && turn == other.turn && stands_as(other);
 }
 
 // ---------------------------------------------------------------- the model
@@ -281,7 +278,7 @@ void ModelPicture::pose(const Pose& pose, const Vec3& shift) {
 }
 
 void ModelPicture::move_vertices(const Model& model, const Scene& scene) {
-  if (posed_.model == scene.model && posed_.same_pose(scene)) return;
+  if (posed_.model == scene.model && posed_.stands_as(scene)) return;
   posed_ = scene;
   Points3 V = posed_vertices(model.mesh.V, model.weights, model.skeleton, scene.pose);
   V.rowwise() += scene.shift.transpose();

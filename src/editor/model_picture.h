@@ -27,7 +27,7 @@ struct Scene {
   PaintOptions options;
   int width = 0, height = 0;
 
-  bool same_pose(const Scene& other) const;
+  bool stands_as(const Scene& other) const;
   bool operator==(const Scene& other) const;
 };
 

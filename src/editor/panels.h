@@ -10,6 +10,12 @@
 namespace artisketch {
 
 void top_bar(Work& work, const Layout& layout);
+// What a mode offers: tools first, then what acts at once.
+struct RailEntry {
+  Command command;
+  std::optional<Tool> tool;  // armed by it; else done at once
+};
+std::vector<RailEntry> tools_of(Mode mode);
 void tool_rail(Work& work, const Layout& layout);
 void canvas(Work& work, const Layout& layout, float pixel_ratio);
 void model_view(Work& work, const Layout& layout, float pixel_ratio);

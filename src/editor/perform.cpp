@@ -101,8 +101,14 @@ void go_to_drawing(Work& work, int by) {
   work.view.posed.reset();
 }
 
-void arm(Work& work, Tool tool) {
-  work.view.tool() = tool;
+// Takes up the mode's tool of that command, where it has it.
+void arm(Work& work, Command command) {
+  const std::vector<RailEntry> tools = tools_of(work.view.mode);
+  const auto found = std::find_if(tools.begin(), tools.end(), [&](const RailEntry& e) {
+    return e.command == command && e.tool;
+  });
+  if (found == tools.end()) return;
+  work.view.tool() = *found->tool;
   work.view.picking_joint = work.view.joining = work.view.redrawing = false;
   work.stroke.clear();
 }
@@ -225,16 +231,10 @@ void perform(Work& work, Command command) {
       if (view.exporting && view.mode != Mode::result) set_mode(work, Mode::result);
       break;
     case Command::undo:
-      work.history.undo();
-      work.gesture = {};  // what is still held begins anew
-      work.changed_at = ImGui::GetTime();
-      work.settle();
+      work.undo();
       break;
     case Command::redo:
-      work.history.redo();
-      work.gesture = {};
-      work.changed_at = ImGui::GetTime();
-      work.settle();
+      work.redo();
       break;
     case Command::reconstruct:
       start_job(work, JobRequest::Kind::reconstruct);
@@ -299,25 +299,16 @@ void perform(Work& work, Command command) {
       break;
     case Command::tool_edit:
     case Command::tool_pose:
-      arm(work, view.mode == Mode::pose || view.mode == Mode::result ? Tool::pose : Tool::edit);
-      break;
     case Command::tool_draw:
-      if (view.mode == Mode::outline) arm(work, Tool::draw);
-      break;
     case Command::tool_points:
-      if (view.mode == Mode::outline) arm(work, Tool::points);
-      break;
     case Command::tool_trace:
-      if (view.mode == Mode::outline) arm(work, Tool::trace);
-      break;
     case Command::tool_cut:
-      if (view.mode == Mode::outline) arm(work, Tool::cut);
-      break;
     case Command::tool_twist:
-      if (view.mode == Mode::pose) arm(work, Tool::twist);
-      break;
     case Command::tool_turn:
-      if (view.mode == Mode::pose) arm(work, Tool::turn);
+    case Command::tool_orbit:
+    case Command::tool_joints:
+    case Command::tool_fatness:
+      arm(work, command);
       break;
     case Command::mirror:
     case Command::copy_to:
@@ -360,15 +351,6 @@ void perform(Work& work, Command command) {
                   with_lock(work.document(), view.joint, !locked));
       break;
     }
-    case Command::tool_orbit:
-      if (view.mode == Mode::result) arm(work, Tool::orbit);
-      break;
-    case Command::tool_joints:
-      if (view.mode == Mode::result) arm(work, Tool::joints);
-      break;
-    case Command::tool_fatness:
-      if (view.mode == Mode::result) arm(work, Tool::fatness);
-      break;
     case Command::set_key:
       set_key(work);
       break;

@@ -9,8 +9,7 @@ namespace {
 
 // Where the pointer is in the world, as deep as a joint.
 Vec3 beneath(const FrameCamera& camera, const Transform& joint, const Vec2& at) {
-  const Ray ray = camera.ray(at);
-  return ray.at((joint.translation().z() - ray.origin.z()) / ray.direction.z());
+  return camera.ray(at).at_z(joint.translation().z());
 }
 
 // The next bone, before it is there.

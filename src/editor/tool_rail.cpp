@@ -1,15 +1,8 @@
 #include "editor/panels.h"
 
 namespace artisketch {
-namespace {
 
-struct Entry {
-  Command command;
-  std::optional<Tool> tool;  // armed by it; else done at once
-};
-
-// What the mode offers; a gap before what acts at once.
-std::vector<Entry> tools_of(Mode mode) {
+std::vector<RailEntry> tools_of(Mode mode) {
   switch (mode) {
     case Mode::outline:
       return {{Command::tool_edit, Tool::edit},     {Command::tool_draw, Tool::draw},
@@ -36,11 +29,9 @@ std::vector<Entry> tools_of(Mode mode) {
   return {};
 }
 
-}  // namespace
-
 void tool_rail(Work& work, const Layout& layout) {
   const Theme& t = theme();
-  const std::vector<Entry> entries = tools_of(work.view.mode);
+  const std::vector<RailEntry> entries = tools_of(work.view.mode);
   const bool words = !layout.compact;
   const float height = layout.tablet    ? 60
                        : layout.compact ? 40
@@ -49,15 +40,15 @@ void tool_rail(Work& work, const Layout& layout) {
   constexpr float kGap = 13;
   Rect place = layout.rail;
   bool gap = false;
-  for (const Entry& entry : entries) gap = gap || (!entry.tool && entries[0].tool);
+  for (const RailEntry& entry : entries) gap = gap || (!entry.tool && entries[0].tool);
   if (layout.tablet) place.h = step * float(entries.size()) + 8 + (gap ? kGap : 0);
-  const Panel panel("Tools", place, layout.tablet ? t.panel : t.panel,
+  const Panel panel("Tools", place, t.panel,
                     layout.tablet ? Panel::Layer::floating : Panel::Layer::base,
                     layout.tablet ? kRadiusPanel : 0);
   if (!layout.tablet) hairline({place.right() - 1, place.y}, {place.right(), place.bottom()});
   Rect column = place.inset(4, layout.tablet ? 4 : 8);
   bool acting = false;
-  for (const Entry& entry : entries) {
+  for (const RailEntry& entry : entries) {
     if (!entry.tool && !acting && gap) {
       const Rect line = column.cut_top(kGap);
       hairline({line.x + 10, line.centre().y}, {line.right() - 10, line.centre().y + 1});

@@ -95,6 +95,20 @@ void Work::change(const std::string& undo_name, Document next) {
   }
 }
 
+void Work::undo() {
+  history.undo();
+  gesture = {};
+  changed_at = ImGui::GetTime();
+  settle();
+}
+
+void Work::redo() {
+  history.redo();
+  gesture = {};
+  changed_at = ImGui::GetTime();
+  settle();
+}
+
 namespace {
 bool same_joints(const Skeleton& a, const Skeleton& b) {
   return std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end(),
@@ -126,12 +140,6 @@ void Work::follow_document() {
     return clip.poses.empty() || int(clip.poses[0].rotations.size()) != model.skeleton.size();
   });
   const auto same = [](const Clip& a, const Clip& b) {
-    const auto same_pose = [](const Pose& p, const Pose& q) {
-      return p.root_position == q.root_position &&
-             std::equal(p.rotations.begin(), p.rotations.end(), q.rotations.begin(),
-                        q.rotations.end(),
-                        [](const Quat& x, const Quat& y) { return x.coeffs() == y.coeffs(); });
-    };
     return a.name == b.name && a.times == b.times &&
            std::equal(a.poses.begin(), a.poses.end(), b.poses.begin(), b.poses.end(), same_pose);
   };

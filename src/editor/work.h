@@ -275,6 +275,9 @@ struct Work {
   void commit(std::string undo_name, Document next);
   // The same for a gesture: its first change is a step of undo, which the others amend.
   void change(const std::string& undo_name, Document next);
+  // What is still held begins anew.
+  void undo();
+  void redo();
   // Keeps what is chosen within the document, and the model's clips as the document has them.
   void settle();
   void follow_document();

@@ -161,7 +161,8 @@ Pose solve_pose(const Skeleton& skeleton, const Pose& user, const Pose& start,
         n.A.block<3, 3>(at, at) +=
             penalty * g * g.transpose() + push / (most * most) * Mat3::Identity();
       }
-      // Marquardt's damping; the floor keeps angles that the pairs leave open (twist) where they are.
+      // Marquardt's damping; the floor keeps angles that the pairs leave open (twist) where they
+      // are.
       const double floor = 1e-5 * std::max(n.A.diagonal().maxCoeff(), 1e-12);
       n.A.diagonal() += 1e-3 * n.A.diagonal() + Eigen::VectorXd::Constant(u.size, floor);
       const Eigen::VectorXd change = n.A.ldlt().solve(n.b);

@@ -88,8 +88,7 @@ void inflate(const Carving& carving, std::span<const Bone> bones, double fatness
   for (int y = 0; y < ny; ++y)
     for (int x = 0; x < nx; ++x) {
       const Vec2 pixel = origin + step * Vec2(x, y);
-      const Ray ray = camera.ray(pixel);
-      const Vec3 X = ray.at((plane.depth(pixel) - ray.origin.z()) / ray.direction.z());
+      const Vec3 X = camera.ray(pixel).at_z(plane.depth(pixel));
       double outside = -std::numeric_limits<double>::infinity();
       for (const Silhouette& silhouette : carving.views)
         outside = std::max(outside, silhouette.distance(to_rest * X));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDrawnSize = 500;      // pixels: the figure in which unit() is a pixel
 constexpr double kLeastUnit = 0.5;      // pixels: nobody draws finer
-constexpr int kLeastRays = 8;          // of a contour
+constexpr int kLeastRays = 8;           // of a contour
 constexpr double kMargin = 6;           // of an outline's raster about its box, in unit()
 constexpr double kMostSamples = 200;    // of a raster along a side
 constexpr double kReach = 1.3;          // of a part's radius: poses may be that far off

@@ -248,11 +248,6 @@ TEST(Contours, BehindAndInFrontStayWithinTheDrawing) {
   EXPECT_EQ(with_contour_shifted(document, 0, 0, -1).frames[0].contours[0].joint, 1);
 }
 
-TEST(Skeletons, AMirrorPairStaysOne) {
-  const Document document = with_joint_offset(figure(), 2, {0.4, 0.1, 0.2});
-  EXPECT_EQ(document.skeleton.joints[5].offset, Vec3(-0.4, 0.1, 0.2));
-}
-
 TEST(Frames, CopyMoveAndRemoveKeepTheOthers) {
   Document document = with_frame_copied(figure(), 0);
   ASSERT_EQ(document.frames.size(), 2u);

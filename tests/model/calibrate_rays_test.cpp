@@ -59,13 +59,6 @@ bool mentions(const std::vector<std::string>& lines, const std::string& words) {
   return false;
 }
 
-bool same(const Pose& a, const Pose& b) {
-  bool all = a.root_position == b.root_position;
-  for (std::size_t j = 0; j < a.rotations.size(); ++j)
-    all = all && a.rotations[j].coeffs() == b.rotations[j].coeffs();
-  return all;
-}
-
 // ---------------------------------------------------------------- derivatives
 
 Placement user_placement(const Document& document) {
@@ -239,7 +232,7 @@ TEST(CalibrateRays, BringsPosesNearer) {
 TEST(CalibrateRays, GivesTheSameBitsAgain) {
   const Document d = sketched(human(1), 2, Camera::Type::orthographic, 10, 1).given;
   const Calibration a = calibrated(d), b = calibrated(d);
-  for (int f = 0; f < 2; ++f) EXPECT_TRUE(same(a.poses[f], b.poses[f]));
+  for (int f = 0; f < 2; ++f) EXPECT_TRUE(same_pose(a.poses[f], b.poses[f]));
   EXPECT_EQ(a.energy_after, b.energy_after);
   EXPECT_EQ(a.undetermined, b.undetermined);
 }
@@ -271,7 +264,7 @@ TEST(CalibrateRays, TheFirstFrameStaysUnlessFree) {
   // The first frame off, the others true.
   Document d = s.truth;
   d.frames[0].pose.root_position += Vec3(0, 0.05, 0);
-  EXPECT_TRUE(same(calibrated(d).poses[0], d.frames[0].pose));
+  EXPECT_TRUE(same_pose(calibrated(d).poses[0], d.frames[0].pose));
   d.calibration.free_first_frame = true;
   const Calibration found = calibrated(d);
   EXPECT_LT(found.poses[0].root_position.y(), d.frames[0].pose.root_position.y() - 0.02);
@@ -280,7 +273,7 @@ TEST(CalibrateRays, TheFirstFrameStaysUnlessFree) {
 TEST(CalibrateRays, OneFrameHasNothingToCalibrate) {
   const Document d = sketched(human(1), 1, Camera::Type::orthographic, 0).given;
   const Calibration found = calibrated(d);
-  EXPECT_TRUE(same(found.poses[0], d.frames[0].pose));
+  EXPECT_TRUE(same_pose(found.poses[0], d.frames[0].pose));
   EXPECT_TRUE(mentions(found.warnings, "one frame"));
   EXPECT_EQ(share(found.coverage, &PartCoverage::after), 1);
 }
@@ -289,13 +282,13 @@ TEST(CalibrateRays, AFrameWithFewContoursKeepsItsPose) {
   Document d = sketched(human(1), 3, Camera::Type::orthographic, 8).given;
   d.frames[1].contours.resize(2);
   Calibration found = calibrated(d);
-  EXPECT_TRUE(same(found.poses[1], d.frames[1].pose));
-  EXPECT_FALSE(same(found.poses[2], d.frames[2].pose));
+  EXPECT_TRUE(same_pose(found.poses[1], d.frames[1].pose));
+  EXPECT_FALSE(same_pose(found.poses[2], d.frames[2].pose));
   EXPECT_TRUE(mentions(found.warnings, "frame 2"));
   d.frames[1].contours.clear();
   d.frames[2].contours.clear();
   found = calibrated(d);
-  EXPECT_TRUE(same(found.poses[2], d.frames[2].pose));
+  EXPECT_TRUE(same_pose(found.poses[2], d.frames[2].pose));
   EXPECT_TRUE(mentions(found.warnings, "nothing to calibrate"));
 }
 
