@@ -52,9 +52,15 @@ std::vector<std::pair<int, int>> self_intersections(const Mesh& mesh) {
   const double cell = std::max(
       {1.5 * extent / faces, all.sizes().maxCoeff() / 200, 1e-12 * all.max().norm(), 1e-300});
   const Index3 size = (all.sizes() / cell).cast<int>() + Index3::Ones();
+  struct Cells {
+    Index3 low, high;
+  };
+  std::vector<Cells> touched(faces);
+  for (int f = 0; f < faces; ++f)
+    touched[f] = {((boxes[f].min() - all.min()) / cell).cast<int>(),
+                  ((boxes[f].max() - all.min()) / cell).cast<int>()};
   const auto cells_of = [&](int f, auto&& visit) {
-    const Index3 low = ((boxes[f].min() - all.min()) / cell).cast<int>();
-    const Index3 high = ((boxes[f].max() - all.min()) / cell).cast<int>();
+    const auto& [low, high] = touched[f];
     for (int z = low.z(); z <= high.z(); ++z)
       for (int y = low.y(); y <= high.y(); ++y)
         for (int x = low.x(); x <= high.x(); ++x) visit(x + size.x() * (y + size.y() * z));
@@ -69,13 +75,15 @@ std::vector<std::pair<int, int>> self_intersections(const Mesh& mesh) {
       for (int j = i + 1; j < start[c + 1]; ++j) {
         const int f = list[i], g = list[j];
         if (!boxes[f].intersects(boxes[g])) continue;
+        // Once only: in the first cell that both touch.
+        const Index3 first = touched[f].low.cwiseMax(touched[g].low);
+        if (first.x() + size.x() * (first.y() + size.y() * first.z()) != int(c)) continue;
         bool shared = false;
         for (int a = 0; a < 3; ++a)
           for (int b = 0; b < 3; ++b) shared |= mesh.F(f, a) == mesh.F(g, b);
         if (!shared && triangles_cross(corners[f], corners[g], eps)) pairs.emplace_back(f, g);
       }
   std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 

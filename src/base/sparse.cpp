@@ -49,4 +49,17 @@ Eigen::VectorXd lumped_areas(const Mesh& mesh) {
   return areas.cwiseMax(least);
 }
 
+Columns solve(const Factors& factors, const Columns& B) {
+  const auto& L = factors.matrixL().nestedExpression();  // its unit diagonal isn't stored
+  const Eigen::VectorXd D = factors.vectorD();
+  Columns X = factors.permutationP() * B;
+  for (Eigen::Index j = 0; j < X.rows(); ++j)
+    for (SparseMatrix::InnerIterator it(L, j); it; ++it) X.row(it.row()) -= it.value() * X.row(j);
+  for (Eigen::Index j = X.rows(); j-- > 0;) {
+    X.row(j) /= D[j];
+    for (SparseMatrix::InnerIterator it(L, j); it; ++it) X.row(j) -= it.value() * X.row(it.row());
+  }
+  return factors.permutationPinv() * X;
+}
+
 }  // namespace artisketch

@@ -1,6 +1,7 @@
 // The sparse operators of a triangle mesh.
 #pragma once
 
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include "base/mesh.h"
@@ -8,6 +9,14 @@
 namespace artisketch {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
+using Factors = Eigen::SimplicialLDLT<SparseMatrix>;
+
+// Right-hand sides or solutions side by side, #unknowns × #sides.
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// X with A X = B for all right-hand sides at once: the factors are read once, not once for each.
+// factors: of A, successful.
+Columns solve(const Factors& factors, const Columns& B);
 
 // No cotangent exceeds this (an angle of 2.9°). Marching cubes leaves slivers whose true cotangents
 // (10⁴ and more) would drown every other weight in the rounding.

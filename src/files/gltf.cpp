@@ -17,8 +17,13 @@ constexpr std::size_t kLargestBuffer = std::size_t(1) << 31;         // GLB coun
 constexpr std::array<double, 4> kPlainColour = {0.8, 0.76, 0.7, 1};  // warm light grey, linear
 constexpr double kRoughness = 0.9;
 
-// A weight counts in steps of 2⁻²⁴: each step is exact in single precision, and so is their sum.
-constexpr int kWeightSteps = 1 << 24;
+// Numbers are as fine as anyone can see and no finer: bits that say nothing don't compress. All
+// steps are powers of two.
+constexpr int kPositionBits = 17;  // of the model's size: a hundredth of a pixel
+constexpr double kNormalStep = 0x1p-11;
+constexpr double kTexcoordStep = 0x1p-14;  // a sixteenth of a texel of a usual atlas
+// Each step is exact in single precision, and so is their sum.
+constexpr int kWeightSteps = 1 << 16;
 
 // Grows a glTF model around one buffer.
 class Builder {
@@ -75,13 +80,22 @@ class Builder {
 constexpr int kForVertices = TINYGLTF_TARGET_ARRAY_BUFFER;
 constexpr int kForIndices = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
 
-template <class Matrix>
-std::vector<float> as_floats(const Matrix& rows) {
+float rounded(double x, double step) {
+  return float(std::nearbyint(x / step) * step);
+}
+
+std::vector<float> rounded(const Points3& rows, double step) {
   std::vector<float> values;
   values.reserve(std::size_t(rows.size()));
   for (Eigen::Index i = 0; i < rows.rows(); ++i)
-    for (Eigen::Index c = 0; c < rows.cols(); ++c) values.push_back(float(rows(i, c)));
+    for (Eigen::Index c = 0; c < rows.cols(); ++c) values.push_back(rounded(rows(i, c), step));
   return values;
+}
+
+double position_step(const Points3& V) {
+  int exponent = 0;
+  std::frexp((V.colwise().maxCoeff() - V.colwise().minCoeff()).maxCoeff(), &exponent);
+  return std::ldexp(1, exponent - kPositionBits);
 }
 
 template <class Numbers>
@@ -194,13 +208,14 @@ void add_mesh(const Model& model, Builder& out) {
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
   primitive.material = 0;
   auto& attributes = primitive.attributes;
-  attributes["POSITION"] =
-      out.add_floats(as_floats(mesh.V), TINYGLTF_TYPE_VEC3, kForVertices, true);
-  attributes["NORMAL"] =
-      out.add_floats(as_floats(seamless_normals(mesh)), TINYGLTF_TYPE_VEC3, kForVertices);
+  attributes["POSITION"] = out.add_floats(rounded(mesh.V, position_step(mesh.V)),
+                                          TINYGLTF_TYPE_VEC3, kForVertices, true);
+  attributes["NORMAL"] = out.add_floats(rounded(seamless_normals(mesh), kNormalStep),
+                                        TINYGLTF_TYPE_VEC3, kForVertices);
   if (model.texture) {
     std::vector<float> uv;
-    for (const Vec2& t : model.texcoords) uv.insert(uv.end(), {float(t.x()), float(t.y())});
+    for (const Vec2& t : model.texcoords)
+      uv.insert(uv.end(), {rounded(t.x(), kTexcoordStep), rounded(t.y(), kTexcoordStep)});
     attributes["TEXCOORD_0"] = out.add_floats(uv, TINYGLTF_TYPE_VEC2, kForVertices);
   }
 

@@ -1,6 +1,8 @@
 #include "model/agreement.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "model/ray_rims.h"
 
@@ -20,7 +22,8 @@ std::vector<const Silhouette*> all_but(const Carving& carving, const Silhouette*
 
 }  // namespace
 
-Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Box3& room) {
+Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Box3& room,
+          double enough) {
   const auto outside = [&](double depth) {
     const Vec3 p = ray.at(depth);
     double most = -std::numeric_limits<double>::infinity();
@@ -32,20 +35,30 @@ Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Bo
   const double middle = (room.center() - ray.origin).dot(ray.direction);
   const double first = middle - room.diagonal().norm() / 2;
   const double step = room.diagonal().norm() / kSteps;
-  double least = std::numeric_limits<double>::infinity(), at = middle;
-  for (int k = 0; k <= kSteps; ++k)
-    if (const double d = outside(first + k * step); d < least) {
-      least = d;
-      at = first + k * step;
-    }
+  std::array<float, kSteps + 1> along;
+  along.fill(-std::numeric_limits<float>::infinity());
+  for (const Silhouette* other : others)
+    other->raise(ray.at(first), step * ray.direction, kSteps + 1, along.data(),
+                 Silhouette::Unit::pixels);
+  const auto nearest = std::min_element(along.begin(), along.end());
+  double least = *nearest;
+  double at = std::isinf(least) ? middle : first + step * double(nearest - along.begin());
+  if (least <= enough) return {least, ray.at(at)};
   // Golden section around the best sample.
-  double low = at - step, high = at + step;
   constexpr double kGolden = 0.61803398874989485;
-  for (int i = 0; i < 12; ++i) {
-    const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-    const bool nearer_a = outside(a) < outside(b);
-    (nearer_a ? high : low) = nearer_a ? b : a;
-  }
+  double low = at - step, high = at + step;
+  double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
+  double at_a = outside(a), at_b = outside(b);
+  for (int i = 0; i < 12; ++i)
+    if (at_a < at_b) {
+      high = b;
+      b = a, at_b = at_a;
+      a = high - kGolden * (high - low), at_a = outside(a);
+    } else {
+      low = a;
+      a = b, at_a = at_b;
+      b = low + kGolden * (high - low), at_b = outside(b);
+    }
   if (const double middle_depth = (low + high) / 2; outside(middle_depth) < least) {
     at = middle_depth;
     least = outside(at);
@@ -59,7 +72,7 @@ double coverage(const Silhouette& outline, const std::vector<const Silhouette*>&
   for (const RayRim& line : outline_rays(outline, kRays))
     for (const RimRay& ray : line.rays) {
       ++all;
-      met += miss(ray.ray, others, room).distance <= tolerance;
+      met += miss(ray.ray, others, room, tolerance).distance <= tolerance;
     }
   return all ? double(met) / all : 1;
 }
@@ -71,7 +84,7 @@ void swell_until_covered(Carving& carving) {
     const auto others = all_but(carving, &view);
     for (const RayRim& line : outline_rays(view, kRays))
       for (const RimRay& ray : line.rays) {
-        const Miss found = miss(ray.ray, others, carving.room);
+        const Miss found = miss(ray.ray, others, carving.room, 0);
         // Every outline that it passes there must give way, each by what it lacks.
         for (const Silhouette& other : carving.views) {
           if (&other == &view || !(found.distance > 0)) continue;

@@ -9,12 +9,13 @@
 namespace artisketch {
 
 // Where a ray passes what `others` allow by the least, and by how many pixels; negative where it
-// comes inside them.
+// comes inside them. No nearer place is sought than one within `enough` pixels.
 struct Miss {
   double distance;
   Vec3 point;
 };
-Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Box3& room);
+Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Box3& room,
+          double enough);
 
 // Share of an outline's rays that miss the others by no more than `tolerance` pixels.
 double coverage(const Silhouette& outline, const std::vector<const Silhouette*>& others,

@@ -117,11 +117,13 @@ Atlas make_atlas(const Mesh& mesh, const FaceNeighbours& neighbours, const std::
     widest = std::max(widest, chart.box.sizes().x());
     for (const int i : chart.corners) atlas.texels[i] *= shrink;
   }
-  // Powers of two, as validators and old graphics cards want them: the pair that wastes least.
+  // Powers of two, as validators and old graphics cards want them: the pair that wastes least, the
+  // squarest of those.
   atlas.width = 0;
   for (int width = power_of_two(int(widest) + 2 * kGutter), i = 0; i < 4; ++i, width *= 2) {
     const int height = power_of_two(pack(charts, width));
-    if (atlas.width == 0 || double(width) * height < double(atlas.width) * atlas.height) {
+    const auto waste = [](int w, int h) { return std::pair(double(w) * h, std::max(w, h)); };
+    if (atlas.width == 0 || waste(width, height) < waste(atlas.width, atlas.height)) {
       atlas.width = width;
       atlas.height = height;
     }
@@ -134,22 +136,33 @@ Atlas make_atlas(const Mesh& mesh, const FaceNeighbours& neighbours, const std::
 
 void fill_gutters(std::vector<Rgb>& texels, std::vector<std::uint8_t>& painted, int width) {
   const int height = int(texels.size()) / width;
-  std::vector<std::size_t> queue;
-  for (std::size_t i = 0; i < texels.size(); ++i)
-    if (painted[i]) queue.push_back(i);
+  struct Place {
+    int x, y;
+  };
+  const auto visit_beside = [&](const Place& p, auto&& visit) {
+    if (p.x > 0) visit(Place{p.x - 1, p.y});
+    if (p.x + 1 < width) visit(Place{p.x + 1, p.y});
+    if (p.y > 0) visit(Place{p.x, p.y - 1});
+    if (p.y + 1 < height) visit(Place{p.x, p.y + 1});
+  };
+  const auto index = [&](const Place& p) { return std::size_t(p.y) * width + p.x; };
+  std::vector<Place> queue;  // painted, beside what isn't
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if (!painted[index({x, y})]) continue;
+      bool border = false;
+      visit_beside({x, y}, [&](const Place& q) { border |= !painted[index(q)]; });
+      if (border) queue.push_back({x, y});
+    }
   for (std::size_t head = 0; head < queue.size(); ++head) {
-    const std::size_t p = queue[head];
-    const int x = int(p % std::size_t(width)), y = int(p / std::size_t(width));
-    const auto spread = [&](std::size_t q) {
-      if (painted[q]) return;
-      painted[q] = 1;
-      texels[q] = texels[p];
+    const Place p = queue[head];
+    const Rgb colour = texels[index(p)];
+    visit_beside(p, [&](const Place& q) {
+      if (painted[index(q)]) return;
+      painted[index(q)] = 1;
+      texels[index(q)] = colour;
       queue.push_back(q);
-    };
-    if (x > 0) spread(p - 1);
-    if (x + 1 < width) spread(p + 1);
-    if (y > 0) spread(p - std::size_t(width));
-    if (y + 1 < height) spread(p + std::size_t(width));
+    });
   }
 }
 

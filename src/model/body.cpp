@@ -66,16 +66,6 @@ double Body::part_distance(int part, const Vec3& p, Vec3& gradient) const {
   return value;
 }
 
-std::vector<int> Body::near(const Box3& box, double reach) const {
-  std::vector<int> parts;
-  for (int i = 0; i < size(); ++i) {
-    if (fields_[i].box.isEmpty()) continue;
-    const Box3 grown(fields_[i].box.min().array() - reach, fields_[i].box.max().array() + reach);
-    if (grown.intersects(box)) parts.push_back(i);
-  }
-  return parts;
-}
-
 // Strangers that come close share the space between them: each keeps its side of the surface where
 // both are equally deep, less half the gap. Not where the surfaces run side by side: neither could
 // yield without a dent. And a part and its parent's parent (a thigh and the chest) not within the
@@ -227,6 +217,53 @@ void Body::fill_block(const Vec3& first, double cell, std::span<const int> near,
     }
 }
 
+Body::Bounds Body::bounds_of(const Field& f) {
+  constexpr int n = Bounds::kBounds;
+  Bounds bounds;
+  bounds.size = (f.size.array() - 1 + (n - 1)) / n;
+  bounds.blocks.assign(std::size_t(bounds.size.prod()),
+                       {BlockGrid::kOutside, -BlockGrid::kOutside});
+  // A block's last samples are its neighbour's first.
+  const auto first_block = [](int i) { return std::max(i - 1, 0) / n; };
+  for (int k = 0; k < f.size.z(); ++k)
+    for (int j = 0; j < f.size.y(); ++j)
+      for (int x = 0; x < bounds.size.x(); ++x) {
+        const float* v = f.values + f.sy * j + f.sz * k;
+        const int end = std::min(n * (x + 1), f.size.x() - 1);
+        float low = v[end], high = v[end];
+        for (int i = n * x; i < end; ++i) {
+          low = std::min(low, v[i]);
+          high = std::max(high, v[i]);
+        }
+        for (int z = first_block(k); z <= std::min(k / n, bounds.size.z() - 1); ++z)
+          for (int y = first_block(j); y <= std::min(j / n, bounds.size.y() - 1); ++y) {
+            auto& block = bounds.blocks[x + bounds.size.x() * (y + bounds.size.y() * z)];
+            block = {std::min(block[0], low), std::max(block[1], high)};
+          }
+      }
+  return bounds;
+}
+
+std::array<float, 2> Body::range(const Field& f, const Bounds& bounds, const Box3& box) {
+  const auto block_at = [&](const Vec3& p) {
+    const Eigen::Array3d last = (f.size.array() - 1).cast<double>();
+    const Index3 sample = ((p - f.origin).array() / f.cell).max(0.0).min(last).cast<int>();
+    return Index3((sample.array() / Bounds::kBounds).min(bounds.size.array() - 1));
+  };
+  const Index3 from = block_at(box.min()), to = block_at(box.max());
+  std::array<float, 2> found = {BlockGrid::kOutside, -BlockGrid::kOutside};
+  for (int z = from.z(); z <= to.z(); ++z)
+    for (int y = from.y(); y <= to.y(); ++y)
+      for (int x = from.x(); x <= to.x(); ++x) {
+        const auto& b = bounds.blocks[x + bounds.size.x() * (y + bounds.size.y() * z)];
+        found = {std::min(found[0], b[0]), std::max(found[1], b[1])};
+      }
+  const double away = box.exteriorDistance(f.box);
+  const double farthest =
+      (f.box.min() - box.min()).cwiseMax(box.max() - f.box.max()).cwiseMax(0.0).norm();
+  return {float(found[0] + away), float(found[1] + farthest)};
+}
+
 Result<Body::Sampled> Body::sample(double cell, double reach, Run& run) const {
   constexpr int n = BlockGrid::kSide;
   const double side = cell * n;
@@ -247,13 +284,28 @@ Result<Body::Sampled> Body::sample(double cell, double reach, Run& run) const {
   // One more cell all round: the border is outside.
   grid = BlockGrid(all.min() - Vec3::Constant(cell), cell,
                    ((all.sizes() / cell).array() + 3).ceil().cast<int>() / n + 1);
-  std::vector<char> wanted(grid.slot.size(), 0);
-  for (const Box3& box : boxes) {
-    const Index3 from = ((box.min() - grid.origin) / side).cast<int>();
-    const Index3 to = ((box.max() - grid.origin) / side).cast<int>();
+  std::vector<std::vector<int>> near_block(grid.slot.size());
+  std::vector<char> wanted(grid.slot.size(), 0), full(grid.slot.size(), 0);
+  for (int i = 0; i < size(); ++i) {
+    const Field& f = fields_[i];
+    if (f.box.isEmpty()) continue;
+    const Bounds bounds = bounds_of(f);
+    const Index3 from = ((f.box.min() - grid.origin).array() / side - reach / side).cast<int>();
+    const Index3 to = ((f.box.max() - grid.origin).array() / side + reach / side).cast<int>();
     for (int z = from.z(); z <= to.z(); ++z)
       for (int y = from.y(); y <= to.y(); ++y)
-        for (int x = from.x(); x <= to.x(); ++x) wanted[grid.block_index(x, y, z)] = 1;
+        for (int x = from.x(); x <= to.x(); ++x) {
+          const Vec3 first = grid.position(n * x, n * y, n * z);
+          // A cell more all round: what borders on a block that isn't stored is outside.
+          const Box3 box(first - Vec3::Constant(cell), first + Vec3::Constant(side));
+          const auto [low, high] = range(f, bounds, box);
+          if (low > reach) continue;
+          const int b = grid.block_index(x, y, z);
+          full[b] |= high < 0;
+          wanted[b] |= low <= 0 || std::any_of(near_block[b].begin(), near_block[b].end(),
+                                               [&](int j) { return tree_.meet(i, j); });
+          near_block[b].push_back(i);
+        }
   }
   // Along a tube only what lies near its axis: its box may be large and empty.
   for (const Tube& tube : tubes) {
@@ -276,10 +328,20 @@ Result<Body::Sampled> Body::sample(double cell, double reach, Run& run) const {
     if (b % 64 == 0 && run.cancelled()) return cancelled();
     const Index3 s = grid.first_sample(int(b));
     const Vec3 first = grid.position(s.x(), s.y(), s.z());
-    const Box3 box(first, first + Vec3::Constant(side));
-    sampled.near[b] = near(box, reach);
-    fill_block(first, cell, sampled.near[b], &grid.values[b * BlockGrid::kSize],
-               &sampled.seam[b * BlockGrid::kSize]);
+    const int block = grid.block_index(grid.at[b].x(), grid.at[b].y(), grid.at[b].z());
+    sampled.near[b] = std::move(near_block[block]);
+    const std::vector<int>& near = sampled.near[b];
+    float *values = &grid.values[b * BlockGrid::kSize], *seam = &sampled.seam[b * BlockGrid::kSize];
+    const bool strangers = std::any_of(near.begin(), near.end(), [&](int i) {
+      return std::any_of(near.begin(), near.end(),
+                         [&](int j) { return i != j && !tree_.meet(i, j); });
+    });
+    if (full[block] && !strangers) {
+      std::fill(values, values + BlockGrid::kSize, -BlockGrid::kOutside);
+      std::fill(seam, seam + BlockGrid::kSize, BlockGrid::kOutside);
+    } else {
+      fill_block(first, cell, near, values, seam);
+    }
   }
   return sampled;
 }

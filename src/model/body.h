@@ -2,6 +2,8 @@
 // what ties up the loose.
 #pragma once
 
+#include <array>
+
 #include "base/block_grid.h"
 #include "model/part_tree.h"
 
@@ -33,9 +35,6 @@ class Body {
   double part_distance(int part, const Vec3& p) const;
   double part_distance(int part, const Vec3& p, Vec3& gradient) const;
 
-  // The parts whose grids, grown by `reach`, touch the box.
-  std::vector<int> near(const Box3& box, double reach) const;
-
   // The body at p; the gradient is of about unit length, `part` the one that p belongs to (−1: a
   // tube). Only the parts in `near` are asked.
   struct Reading {
@@ -48,7 +47,8 @@ class Body {
   // Whether a third part, a stranger to one of the two that meet at p, is about as near as they.
   bool crowded(const Vec3& p, std::span<const int> near) const;
 
-  // The body on the blocks of a lattice that come within `reach` of a part's grid.
+  // The body on those blocks of a lattice that its surface may cross, that are inside it, or where
+  // two parts that meet both come within `reach`.
   struct Sampled {
     BlockGrid grid;
     std::vector<float> seam;  // as grid.values: how far both of two parts that meet are at most
@@ -65,6 +65,16 @@ class Body {
     std::ptrdiff_t sy, sz;
     Box3 box;
   };
+  // The least and the largest of a part's samples over blocks of kBounds³ of its cells, so that
+  // most of space is told apart without reading them.
+  struct Bounds {
+    static constexpr int kBounds = 8;
+    Index3 size = Index3::Zero();
+    std::vector<std::array<float, 2>> blocks;
+  };
+  static Bounds bounds_of(const Field& field);
+  // Bounds on a part's distance over a box.
+  static std::array<float, 2> range(const Field& field, const Bounds& bounds, const Box3& box);
   // How far outside part i lies p for being nearer to the stranger j.
   double apart(int i, int j, double di, double dj, const Vec3& p) const;
   void fill_block(const Vec3& first, double cell, std::span<const int> near, float* values,

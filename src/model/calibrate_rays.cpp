@@ -8,8 +8,8 @@
 // - landmarks about the middles of bones say, weakly, what silhouettes leave open;
 // - Geman–McClure kernels, narrowed step by step, let contours that contradict all others go;
 // - of several starts the one that ends with least energy is taken;
-// - joints whose parts still miss are turned out of that minimum, one at a time, and let fall into
-//   a better one;
+// - joints whose parts still miss are turned out of that minimum, one at a time with all that hangs
+//   on them, or their limbs begun anew, and let fall into a better one;
 // - the rays' noise is measured on what is left, and the end refined with it.
 #include <algorithm>
 #include <cmath>
@@ -169,39 +169,89 @@ std::vector<Vec3> turned(const Vec3& now, const Mat3& axes, const Vec3& bone, do
   return all;
 }
 
-// One joint's rotations in all frames, all else as it is, from the rotation that is best of those
-// above in one frame. Returns nothing if none is better.
+// Joints from one on outward.
+std::vector<char> outward_of(const Skeleton& skeleton, int joint) {
+  std::vector<char> outward(skeleton.size(), 0);
+  for (int j = joint; j < skeleton.size(); ++j)
+    outward[j] =
+        j == joint || (skeleton.joints[j].parent >= 0 && outward[skeleton.joints[j].parent]);
+  return outward;
+}
+
+// The joint that the limb of a joint begins with: below the last fork.
+int start_of_limb(const Skeleton& skeleton, int joint) {
+  for (int up = skeleton.joints[joint].parent; up > 0 && skeleton.children(up).size() == 1;
+       up = skeleton.joints[joint].parent)
+    joint = up;
+  return joint;
+}
+
+// Rotations from one joint on outward in all frames, all else as it is, from the best of several
+// starts. Returns nothing if none is better.
+class Outward {
+ public:
+  Outward(const Document& document, const RayResiduals& residuals, const PoseFreedom& freedom,
+          const PosePrior& prior, const PoseChange& from, int joint, Run& run)
+      : outward_(outward_of(document.skeleton, joint)),
+        residuals_(residuals.of(outward_)),
+        solver_(document, residuals_, only(freedom), prior, run),
+        best_{from, solver_.energy(from, kNarrowKernel)},
+        before_(best_.energy) {}
+
+  void start_at(PoseChange start) {
+    SolvedPoses s = solver_.minimise(std::move(start), kWideKernel, kTurnIterations / 3);
+    s = solver_.minimise(std::move(s.change), kNarrowKernel, kTurnIterations);
+    if (s.energy < best_.energy) best_ = std::move(s);
+  }
+  // The user's rotations in one frame; as they are and led by landmarks.
+  void start_at_users(const PoseChange& from, int frame) {
+    PoseChange start = from;
+    for (std::size_t j = 0; j < outward_.size(); ++j)
+      if (outward_[j]) start[frame].rotation[j].setZero();
+    start_at(start);
+    start_at(solver_.minimise(std::move(start), {0, 0, kLead}, kTurnIterations).change);
+  }
+  Placement at(const PoseChange& change) const { return solver_.at(change); }
+  std::optional<PoseChange> better() const {
+    if (best_.energy >= before_ - 1) return std::nullopt;
+    return best_.change;
+  }
+
+ private:
+  PoseFreedom only(PoseFreedom freedom) const {
+    for (std::size_t f = 0; f < freedom.frame.size(); ++f) {
+      freedom.frame[f] = 0;
+      for (std::size_t j = 0; j < outward_.size(); ++j)
+        if (!outward_[j]) freedom.joint[f][j] = 0;
+    }
+    return freedom;
+  }
+
+  std::vector<char> outward_;
+  RayResiduals residuals_;
+  PoseSolver solver_;
+  SolvedPoses best_;
+  double before_;
+};
+
+// A part's joint turned in the frame that it misses in, or else its whole limb begun anew there.
 std::optional<PoseChange> turned_out(const Document& document, const RayResiduals& residuals,
                                      const PoseFreedom& freedom, const PosePrior& prior,
                                      const PoseChange& from, const Missed& where, Run& run) {
-  const Skeleton& skeleton = document.skeleton;
-  PoseFreedom alone = freedom;
-  std::vector<char> below(skeleton.size(), 0);
-  for (int j = where.joint; j < skeleton.size(); ++j)
-    below[j] =
-        j == where.joint || (skeleton.joints[j].parent >= 0 && below[skeleton.joints[j].parent]);
-  for (std::size_t f = 0; f < alone.frame.size(); ++f) {
-    alone.frame[f] = 0;
-    for (int j = 0; j < skeleton.size(); ++j)
-      if (j != where.joint) alone.joint[f][j] = 0;
-  }
-  const RayResiduals of_these = residuals.of(below);
-  PoseSolver solver(document, of_these, alone, prior, run);
-  const double limit = freedom.max_rotation;
-  SolvedPoses best{from, solver.energy(from, kNarrowKernel)};
-  const double before = best.energy;
+  Outward joint(document, residuals, freedom, prior, from, where.joint, run);
   const Vec3 now = from[where.frame].rotation[where.joint];
-  const Mat3 axes = solver.at(from).posed[where.frame][where.joint].linear();
-  const Vec3 bone = middle_of_bones(skeleton, where.joint);
-  for (const Vec3& rotation : turned(now, axes, bone, limit)) {
+  const Mat3 axes = joint.at(from).posed[where.frame][where.joint].linear();
+  const Vec3 bone = middle_of_bones(document.skeleton, where.joint);
+  for (const Vec3& rotation : turned(now, axes, bone, freedom.max_rotation)) {
     PoseChange start = from;
     start[where.frame].rotation[where.joint] = rotation;
-    SolvedPoses s = solver.minimise(std::move(start), kWideKernel, kTurnIterations / 3);
-    s = solver.minimise(std::move(s.change), kNarrowKernel, kTurnIterations);
-    if (s.energy < best.energy) best = std::move(s);
+    joint.start_at(std::move(start));
   }
-  if (best.energy >= before - 1) return std::nullopt;
-  return best.change;
+  if (auto better = joint.better()) return better;
+  Outward limb(document, residuals, freedom, prior, from,
+               start_of_limb(document.skeleton, where.joint), run);
+  limb.start_at_users(from, where.frame);
+  return limb.better();
 }
 
 // Rounds of turns until none helps; all joints are fitted again after each.

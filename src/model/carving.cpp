@@ -87,24 +87,35 @@ Box3 hull_box(const Carving& carving) {
   for (int pass = 0; pass < 3; ++pass) {
     const Vec3 step = box.sizes() / n;
     const float reach = float(step.norm() / 2 * 1.05);  // the rasters' few per cent
-    Box3 kept;
+    // From the middle out: what lies between samples that are kept need not be asked.
+    Index3 from = Index3::Constant(n), to = Index3::Constant(-1);  // the kept samples
+    const auto outward = [](int i) { return n / 2 + (i % 2 ? -(i + 1) / 2 : i / 2); };
+    float row[n];
+    const auto ask = [&](int begin, int end, int j, int k) {
+      if (begin >= end) return;
+      const Vec3 start = box.min() + Vec3(begin + 0.5, j + 0.5, k + 0.5).cwiseProduct(step);
+      const Vec3 along(step.x(), 0, 0);
+      for (int i = 0; i < end - begin; ++i)
+        row[i] = float(carving.slab.distance(start + i * along));
+      for (const Silhouette& view : carving.views) view.raise(start, along, end - begin, row);
+      for (int i = begin; i < end; ++i)
+        if (row[i - begin] <= reach) {
+          from = from.cwiseMin(Index3(i, j, k));
+          to = to.cwiseMax(Index3(i, j, k));
+        }
+    };
     for (int k = 0; k < n; ++k)
       for (int j = 0; j < n; ++j) {
-        const Vec3 start = box.min() + Vec3(0.5, j + 0.5, k + 0.5).cwiseProduct(step);
-        float row[n];
-        for (int i = 0; i < n; ++i)
-          row[i] = float(carving.slab.distance(start + Vec3(i * step.x(), 0, 0)));
-        for (const Silhouette& view : carving.views)
-          view.raise(start, Vec3(step.x(), 0, 0), n, row);
-        for (int i = 0; i < n; ++i)
-          if (row[i] <= reach) {
-            const Vec3 p = start + Vec3(i * step.x(), 0, 0);
-            kept.extend(p - step / 2);
-            kept.extend(p + step / 2);
-          }
+        const Index3 at(0, outward(j), outward(k));
+        const bool between = (at.tail<2>().array() >= from.tail<2>().array()).all() &&
+                             (at.tail<2>().array() <= to.tail<2>().array()).all();
+        const int first = between ? from.x() : n, last = between ? to.x() : n;
+        ask(0, first, at.y(), at.z());
+        ask(last + 1, n, at.y(), at.z());
       }
-    if (kept.isEmpty()) return kept;
-    box = kept;
+    if (to.x() < 0) return {};
+    box = Box3(box.min() + from.cast<double>().cwiseProduct(step),
+               box.min() + (to + Index3::Ones()).cast<double>().cwiseProduct(step));
   }
   return box;
 }
@@ -144,53 +155,80 @@ double Silhouette::distance(const Vec3& p) const {
   return (raster.distance(view->camera.project(X)) - grown) / view->camera.pixels_per_unit(X.z());
 }
 
-void Silhouette::raise(const Vec3& start, const Vec3& step, int n, float* values) const {
-  const FrameCamera& camera = view->camera;
-  const Vec3 X = view->to_world * start, d = view->to_world.linear() * step;
+namespace {
+
+using Vec3f = Eigen::Vector3f;
+
+// Raises a row of values to the distances along a line in world space.
+void raise_row(const Silhouette& s, const Vec3f& X, const Vec3f& d, int n, float* values,
+               Silhouette::Unit unit) {
+  const FrameCamera& camera = s.view->camera;
+  const bool pixels = unit == Silhouette::Unit::pixels;
   const float px = float(camera.principal_point.x()), py = float(camera.principal_point.y());
-  const float x = float(X.x()), y = float(X.y()), dx = float(d.x()), dy = float(d.y());
-  const float g = float(grown);
+  const float x = X.x(), y = X.y(), dx = d.x(), dy = d.y(), grown = float(s.grown);
   if (camera.camera.type == Camera::Type::orthographic) {
-    const float s = float(camera.pixels_per_unit(0)), per_s = 1 / s;
+    const float scale = float(camera.pixels_per_unit(0)), per_scale = pixels ? 1 : 1 / scale;
+    const float u0 = px + scale * x, du = scale * dx, v0 = py - scale * y, dv = -scale * dy;
     for (int i = 0; i < n; ++i) {
-      const float u = px + s * (x + float(i) * dx), v = py - s * (y + float(i) * dy);
-      values[i] = std::max(values[i], (raster.distance(u, v) - g) * per_s);
+      const float distance = s.raster.distance(u0 + float(i) * du, v0 + float(i) * dv);
+      values[i] = std::max(values[i], (distance - grown) * per_scale);
     }
-  } else {
-    const float f = float(camera.camera.focal_length);
-    const float w = float(camera.camera.distance - X.z()), dw = float(-d.z());
-    for (int i = 0; i < n; ++i) {
-      const float depth = w + float(i) * dw;
-      if (depth <= 0) {
-        values[i] = std::numeric_limits<float>::infinity();
-        continue;
-      }
-      const float s = f / depth;
-      const float u = px + s * (x + float(i) * dx), v = py - s * (y + float(i) * dy);
-      values[i] = std::max(values[i], (raster.distance(u, v) - g) / s);
+    return;
+  }
+  const float f = float(camera.camera.focal_length);
+  const float w = float(camera.camera.distance) - X.z(), dw = -d.z();
+  for (int i = 0; i < n; ++i) {
+    const float depth = w + float(i) * dw;
+    if (depth <= 0) {
+      values[i] = std::numeric_limits<float>::infinity();
+      continue;
     }
+    const float scale = f / depth;
+    const float u = px + scale * (x + float(i) * dx), v = py - scale * (y + float(i) * dy);
+    const float distance = s.raster.distance(u, v) - grown;
+    values[i] = std::max(values[i], pixels ? distance : distance / scale);
   }
 }
 
-Result<Carving> carving_of(const Part& part, std::span<const PartView* const> extra, int cells) {
+}  // namespace
+
+void Silhouette::raise(const Vec3& start, const Vec3& step, int n, float* values, Unit unit) const {
+  raise_row(*this, (view->to_world * start).cast<float>(),
+            (view->to_world.linear() * step).cast<float>(), n, values, unit);
+}
+
+void Silhouette::raise(const Vec3& start, double cell, const Index3& n, float* values,
+                       std::ptrdiff_t stride_y, std::ptrdiff_t stride_z) const {
+  const Vec3f X = (view->to_world * start).cast<float>();
+  const Eigen::Matrix3f d = (cell * view->to_world.linear()).cast<float>();
+  for (int k = 0; k < n.z(); ++k)
+    for (int j = 0; j < n.y(); ++j)
+      raise_row(*this, X + float(j) * d.col(1) + float(k) * d.col(2), d.col(0), n.x(),
+                values + j * stride_y + k * stride_z, Unit::units);
+}
+
+Result<Carving> carving_of(const Part& part, int cells) {
   Carving carving;
   carving.name = part.name;
   carving.middle = middle_of_bones(part);
   carving.radius = std::numeric_limits<double>::infinity();
-  const auto add = [&](const PartView& view) {
-    if (!view.seen()) return;
+  add_views(part, part.views, cells, carving);
+  if (carving.views.empty())
+    return bad_input("'" + part.name + "' has no closed contour in any frame");
+  return carving;
+}
+
+void add_views(const Part& part, std::span<const PartView> views, int cells, Carving& carving) {
+  for (const PartView& view : views) {
+    if (!view.seen()) continue;
     carving.views.emplace_back(view, cells);
     carving.radius = std::min(carving.radius, carving.views.back().raster.deepest() /
                                                   view.pixels_per_unit(carving.middle));
-  };
-  for (const PartView& view : part.views) add(view);
-  if (carving.views.empty())
-    return bad_input("'" + part.name + "' has no closed contour in any frame");
-  for (const PartView* view : extra) add(*view);
+  }
+  if (carving.views.empty()) return;
   carving.slab = slab_of(carving.views, carving.middle);
   carving.slab.half *= part.fatness;
   carving.room = room_of(carving);
-  return carving;
 }
 
 Result<Grid3<float>> carving_grid(const Carving& carving, int cells) {
@@ -211,52 +249,51 @@ Result<Grid3<float>> carving_grid(const Carving& carving, int cells) {
                       std::numeric_limits<float>::max());
 }
 
-Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run) {
+Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double band) {
   Result<Grid3<float>> grid = carving_grid(carving, cells);
   if (!grid) return grid;
   Grid3<float>& g = *grid;
   // Blocks of 4³ samples: one question in the middle tells whether the block lies wholly outside or
-  // inside by more than its half diagonal. A projection stretches lengths by no more than its
-  // pixels per unit, so the distance in units changes by at most about the way walked.
+  // inside by more than its half diagonal, and which views are nowhere the largest in it. A
+  // projection stretches lengths by no more than its pixels per unit, so the distance in units
+  // changes by at most about the way walked; the rasters are a few per cent off.
   constexpr int kBlock = 4;
-  const double reach = g.cell * (kBlock - 1) / 2.0 * std::sqrt(3.0);
+  constexpr double kStretch = 1.2;
+  const double reach = kStretch * g.cell * (kBlock - 1) / 2.0 * std::sqrt(3.0);
+  std::vector<double> at_centre(carving.views.size());
   for (int k0 = 0; k0 < g.size.z(); k0 += kBlock) {
     if (run.cancelled()) return cancelled();
     for (int j0 = 0; j0 < g.size.y(); j0 += kBlock)
       for (int i0 = 0; i0 < g.size.x(); i0 += kBlock) {
         const Vec3 centre =
             g.origin + g.cell * (Vec3(i0, j0, k0) + Vec3::Constant((kBlock - 1) / 2.0));
-        const double at_centre = carving.distance(centre);
-        // A margin of four cells keeps true distances where level sets and interpolation look.
-        const bool far = std::abs(at_centre) > 1.5 * reach + 4 * g.cell;
-        const int n = std::min(kBlock, g.size.x() - i0);
-        for (int k = k0; k < std::min(k0 + kBlock, g.size.z()); ++k)
-          for (int j = j0; j < std::min(j0 + kBlock, g.size.y()); ++j) {
+        double most = carving.slab.distance(centre);
+        for (std::size_t v = 0; v < at_centre.size(); ++v)
+          most = std::max(most, at_centre[v] = carving.views[v].distance(centre));
+        const bool far = std::abs(most) > reach + band * g.cell;
+        const Index3 n = (g.size - Index3(i0, j0, k0)).cwiseMin(kBlock);
+        for (int k = k0; k < k0 + n.z(); ++k)
+          for (int j = j0; j < j0 + n.y(); ++j) {
             float* row = &g(i0, j, k);
-            if (far) {
-              std::fill(row, row + n, float(at_centre));
-              continue;
-            }
-            const Vec3 start = g.position(i0, j, k);
-            for (int i = 0; i < n; ++i)
-              row[i] = float(carving.slab.distance(start + Vec3(i * g.cell, 0, 0)));
-            for (const Silhouette& view : carving.views)
-              view.raise(start, Vec3(g.cell, 0, 0), n, row);
+            for (int i = 0; i < n.x(); ++i)
+              row[i] = float(far ? most : carving.slab.distance(g.position(i0 + i, j, k)));
           }
+        if (far) continue;
+        for (std::size_t v = 0; v < at_centre.size(); ++v)
+          if (at_centre[v] >= most - 2 * reach)
+            carving.views[v].raise(g.position(i0, j0, k0), g.cell, n, &g(i0, j0, k0), g.stride_y(),
+                                   g.stride_z());
       }
   }
   return grid;
 }
 
 void widen_until_they_meet(Carving& carving, std::vector<std::string>& warnings) {
-  const auto leaves_nothing = [&](double grown) {
-    for (Silhouette& view : carving.views) view.grown = grown;
-    return hull_box(carving).isEmpty();
-  };
   // The box search keeps what may touch, so a hull of nothing may leave a box: look for an inside.
   const auto has_inside = [&](double grown) {
-    if (leaves_nothing(grown)) return false;
+    for (Silhouette& view : carving.views) view.grown = grown;
     const Box3 box = hull_box(carving);
+    if (box.isEmpty()) return false;
     constexpr int n = 24;
     for (int k = 0; k <= n; ++k)
       for (int j = 0; j <= n; ++j)

@@ -21,8 +21,14 @@ struct Silhouette {
   Silhouette(const PartView& view, int cells);
   // Signed distance to the cone at p in units, negative inside; +infinity behind the camera.
   double distance(const Vec3& p) const;
+  enum class Unit { units, pixels };
   // values[i] = max(values[i], distance(start + i · step)), i = 0 … n − 1.
-  void raise(const Vec3& start, const Vec3& step, int n, float* values) const;
+  void raise(const Vec3& start, const Vec3& step, int n, float* values,
+             Unit unit = Unit::units) const;
+  // The same for the samples (i, j, k) of a block, `cell` apart along the axes: x fastest, rows
+  // stride_y and stride_z apart in `values`.
+  void raise(const Vec3& start, double cell, const Index3& n, float* values,
+             std::ptrdiff_t stride_y, std::ptrdiff_t stride_z) const;
 };
 
 // Whether two view directions leave the same depth open: within 10° of each other or of each
@@ -55,13 +61,16 @@ struct Carving {
   bool one_direction() const { return !std::isinf(slab.half); }
 };
 
-// The closed outlines of the part's own views and of `extra` ones. `cells` along the longest side
-// sets the rasters' resolution. Fails where no view has a closed outline.
-Result<Carving> carving_of(const Part& part, std::span<const PartView* const> extra, int cells);
+// The closed outlines of the part's own views. `cells` along the longest side sets the rasters'
+// resolution. Fails where no view has a closed outline.
+Result<Carving> carving_of(const Part& part, int cells);
+// The part's carving with the outlines of further views beside its own.
+void add_views(const Part& part, std::span<const PartView> views, int cells, Carving& carving);
 
-// part_grid and visual_hull of stages.h for a carving.
+// part_grid and visual_hull of stages.h for a carving. Distances of up to about `band` cells are
+// true; beyond, the sign is, and the value lies beyond `band`.
 Result<Grid3<float>> carving_grid(const Carving& carving, int cells);
-Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run);
+Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double band = 4);
 
 // Grows all outlines until they share a volume, if they share none, and says so in a warning.
 void widen_until_they_meet(Carving& carving, std::vector<std::string>& warnings);

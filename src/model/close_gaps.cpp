@@ -1,6 +1,7 @@
 #include "model/close_gaps.h"
 
 #include <algorithm>
+#include <array>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -15,46 +16,52 @@ using Around = std::uint32_t;
 constexpr int kCentre = 13;
 
 struct Neighbourhoods {
-  Around near6[27] = {}, near26[27] = {};  // the neighbours of each within the 27
   Around ring6 = 0, ring18 = 0, ring26 = 0, all = (Around(1) << 27) - 1;
-  float step[27] = {};  // from the centre
+  Around low[3] = {}, high[3] = {};  // those that have no neighbour before them, or after, per axis
+  float step[27] = {};               // from the centre
 };
 
 constexpr Neighbourhoods neighbourhoods() {
   Neighbourhoods n;
-  for (int a = 0; a < 27; ++a)
-    for (int b = 0; b < 27; ++b) {
-      const auto apart = [&](int unit) {
-        const int d = a / unit % 3 - b / unit % 3;
-        return d < 0 ? -d : d;
-      };
-      const int x = apart(1), y = apart(3), z = apart(9);
-      if (a == b || x > 1 || y > 1 || z > 1) continue;
-      n.near26[a] |= Around(1) << b;
-      if (x + y + z == 1) n.near6[a] |= Around(1) << b;
-      if (a != kCentre) continue;
-      n.step[b] = x + y + z == 1 ? 1 : x + y + z == 2 ? 1.41421356f : 1.73205081f;
-      n.ring26 |= Around(1) << b;
-      if (x + y + z <= 2) n.ring18 |= Around(1) << b;
-      if (x + y + z == 1) n.ring6 |= Around(1) << b;
+  for (int b = 0; b < 27; ++b) {
+    const Around bit = Around(1) << b;
+    int off = 0;  // axes along which it lies aside of the centre
+    for (int axis = 0, unit = 1; axis < 3; ++axis, unit *= 3) {
+      const int at = b / unit % 3;
+      off += at != 1;
+      if (at == 0) n.low[axis] |= bit;
+      if (at == 2) n.high[axis] |= bit;
     }
+    if (off == 0) continue;
+    n.step[b] = off == 1 ? 1 : off == 2 ? 1.41421356f : 1.73205081f;
+    n.ring26 |= bit;
+    if (off <= 2) n.ring18 |= bit;
+    if (off == 1) n.ring6 |= bit;
+  }
   return n;
 }
 constexpr Neighbourhoods kNear = neighbourhoods();
 
-int lowest_bit(Around set) {
-  return __builtin_ctz(set);
+// What lies at or beside the members of a set along one axis.
+Around spread(Around set, int axis) {
+  constexpr int kUnit[3] = {1, 3, 9};
+  return set | (set & ~kNear.high[axis]) << kUnit[axis] | (set & ~kNear.low[axis]) >> kUnit[axis];
+}
+Around spread6(Around set) {
+  return spread(set, 0) | spread(set, 1) | spread(set, 2);
+}
+Around spread26(Around set) {
+  return spread(spread(spread(set, 0), 1), 2);
 }
 
 // How many connected pieces `set` has that hold one of `touching`.
-int pieces(Around set, const Around (&near)[27], Around touching) {
+int pieces(Around set, Around (*beside)(Around), Around touching) {
   int count = 0;
-  while (Around seeds = set & touching) {
-    Around piece = 0, front = seeds & -seeds;
-    while (front) {
-      piece |= front;
-      const Around next = near[lowest_bit(front)] & set & ~piece;
-      front = (front & (front - 1)) | next;
+  while (const Around seeds = set & touching) {
+    Around piece = seeds & -seeds, before = 0;
+    while (piece != before) {
+      before = piece;
+      piece = beside(piece) & set;
     }
     set &= ~piece;
     ++count;
@@ -76,7 +83,7 @@ bool stays_well_composed(Around inside) {
 // Whether the centre can join the solid without joining two places of it: it may end a tunnel,
 // never begin one.
 bool addable(Around inside) {
-  return pieces(inside & kNear.ring18, kNear.near6, kNear.ring6) == 1 &&
+  return pieces(inside & kNear.ring18, spread6, kNear.ring6) == 1 &&
          stays_well_composed(inside | Around(1) << kCentre);
 }
 
@@ -84,9 +91,9 @@ bool addable(Around inside) {
 // and Malandain 1994, 6-connected inside, 26-connected outside). It may let the air into a bubble.
 bool removable(Around inside, Around bubble) {
   const Around outside = ~inside & kNear.ring26;
-  if (pieces(inside & kNear.ring18, kNear.near6, kNear.ring6) != 1) return false;
-  const int open = pieces(outside & ~bubble, kNear.near26, kNear.ring26);
-  const int closed = pieces(outside & bubble, kNear.near26, kNear.ring26);
+  if (pieces(inside & kNear.ring18, spread6, kNear.ring6) != 1) return false;
+  const int open = pieces(outside & ~bubble, spread26, kNear.ring26);
+  const int closed = pieces(outside & bubble, spread26, kNear.ring26);
   if (open > 1 || closed > 1 || open + closed == 0) return false;
   return stays_well_composed(inside & ~(Around(1) << kCentre));
 }
@@ -110,14 +117,6 @@ Places places_round(const BlockGrid& grid, std::ptrdiff_t sample) {
   for (int b = 0; b < 27; ++b)
     places.at[b] = grid.find(s.x() + b % 3 - 1, s.y() + b / 3 % 3 - 1, s.z() + b / 9 - 1);
   return places;
-}
-
-Around around(const BlockGrid& grid, std::ptrdiff_t sample) {
-  const Places places = places_round(grid, sample);
-  Around set = 0;
-  for (int b = 0; b < 27; ++b)
-    set |= Around(places.at[b] >= 0 && grid.values[places.at[b]] < 0) << b;
-  return set;
 }
 
 // Marks as open every outside sample that hangs together with those in `front`.
@@ -217,6 +216,7 @@ struct Fill {
   std::ptrdiff_t index;
   float was;  // its value
   float seam;
+  Around inside = 0;  // of the 27 samples round it
   float way = 1e30f;  // to the nearest open sample, in cells, along the lattice
   bool in = false;    // filled
   bool keep = false;  // filled for good
@@ -240,11 +240,27 @@ int take(Queue& queue, std::vector<Fill>& all) {
 struct Fills {
   BlockGrid& grid;
   std::vector<Fill> all;
-  std::vector<int> at;  // per sample of the grid: its place in `all`, −1
+  std::vector<std::array<int, 27>> beside;  // per place those round it that may be filled too, −1
+  std::vector<char> open;                   // per sample of the grid: outside, and not in a bubble
 
-  std::vector<char> open;  // per sample of the grid: outside, and not in a bubble
+  Fills(Body::Sampled& sampled, double reach) : grid(sampled.grid) {
+    std::vector<int> at(grid.values.size(), -1);
+    for (std::ptrdiff_t s = 0; s < std::ptrdiff_t(grid.values.size()); ++s) {
+      if (sampled.seam[s] > reach || grid.values[s] < 0) continue;
+      at[s] = int(all.size());
+      all.push_back({s, grid.values[s], sampled.seam[s]});
+    }
+    beside.resize(all.size());
+    for (std::size_t f = 0; f < all.size(); ++f) {
+      const Places places = places_round(grid, all[f].index);
+      for (int b = 0; b < 27; ++b) {
+        const std::ptrdiff_t n = places.at[b];
+        beside[f][b] = n < 0 ? -1 : at[n];
+        all[f].inside |= Around(n >= 0 && grid.values[n] < 0) << b;
+      }
+    }
+  }
 
-  Around around_of(int f) const { return around(grid, all[f].index); }
   // The samples round a place that are outside in a bubble.
   Around bubble_of(int f) const {
     const Places places = places_round(grid, all[f].index);
@@ -263,17 +279,18 @@ struct Fills {
   }
   void set(int f, bool in) {
     all[f].in = in;
+    for (int b = 0; b < 27; ++b)
+      if (const int g = beside[f][b]; g >= 0) {
+        const Around bit = Around(1) << (26 - b);  // the place as its neighbour sees it
+        all[g].inside = in ? all[g].inside | bit : all[g].inside & ~bit;
+      }
     grid.values[all[f].index] = in ? float(-1e-3 * grid.cell) : all[f].was;
   }
   // visit(index into all or −1, whether inside, length of the step in cells)
   template <class Visit>
   void neighbours(int f, const Visit& visit) const {
-    const Places places = places_round(grid, all[f].index);
-    for (int b = 0; b < 27; ++b) {
-      if (b == kCentre) continue;
-      const std::ptrdiff_t n = places.at[b];
-      visit(n < 0 ? -1 : at[n], n >= 0 && grid.values[n] < 0, kNear.step[b]);
-    }
+    for (int b = 0; b < 27; ++b)
+      if (b != kCentre) visit(beside[f][b], (all[f].inside >> b & 1) != 0, kNear.step[b]);
   }
 };
 
@@ -285,10 +302,10 @@ void grow(Fills& fills) {
   };
   // What has nothing solid beside it waits until it has.
   for (int f = 0; f < int(fills.all.size()); ++f)
-    if (fills.around_of(f) & kNear.ring6) push(f);
+    if (fills.all[f].inside & kNear.ring6) push(f);
   while (!queue.empty()) {
     const int f = take(queue, fills.all);
-    if (!addable(fills.around_of(f))) continue;
+    if (!addable(fills.all[f].inside)) continue;
     fills.set(f, true);
     fills.neighbours(f, [&](int g, bool, float) {
       if (g >= 0) push(g);
@@ -327,7 +344,7 @@ void thin(Fills& fills) {
   for (int f = 0; f < int(fills.all.size()); ++f) push(f);
   while (!queue.empty()) {
     const int f = take(queue, fills.all);
-    const Around inside = fills.around_of(f);
+    const Around inside = fills.all[f].inside;
     if ((inside | Around(1) << kCentre) == kNear.all) continue;  // buried, for now
     if (!removable(inside, fills.bubble_of(f))) continue;
     fills.set(f, false);
@@ -343,12 +360,7 @@ void thin(Fills& fills) {
 void close_gaps(Body::Sampled& sampled, const Body& body, double reach,
                 std::span<const JointSphere> spheres) {
   BlockGrid& grid = sampled.grid;
-  Fills fills{grid, {}, std::vector<int>(grid.values.size(), -1), {}};
-  for (std::ptrdiff_t s = 0; s < std::ptrdiff_t(grid.values.size()); ++s) {
-    if (sampled.seam[s] > reach || grid.values[s] < 0) continue;
-    fills.at[s] = int(fills.all.size());
-    fills.all.push_back({s, grid.values[s], sampled.seam[s]});
-  }
+  Fills fills(sampled, reach);
   grow(fills);
   fills.open = open_samples(grid);
   measure_ways(fills);

@@ -15,7 +15,7 @@ namespace artisketch {
 namespace {
 
 constexpr double kCellsAcrossThinnest = 6;
-constexpr double kWantedVertices = 25000;  // of the lattice's surface, where no part is thinner
+constexpr double kWantedVertices = 60000;  // of the lattice's surface, where no part is thinner
 constexpr double kMostVertices = 120000;
 constexpr double kMostSamples = 1e9;  // of the lattice, stored or not
 constexpr double kMostStored = 2e7;   // 160 MB
@@ -32,7 +32,7 @@ double cell_size(const PartTree& tree, std::span<const PartSurface> parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (!tree.nodes[i].solid) continue;
     area += tree.nodes[i].area;
-    thinnest = std::min(thinnest, tree.nodes[i].thickness);
+    thinnest = std::min(thinnest, tree.nodes[i].width);
     stored += parts[i].distance.box().volume();
     all.extend(parts[i].distance.box());
   }
@@ -59,7 +59,12 @@ struct Pieces {
 Pieces pieces(const QuadMesh& mesh) {
   Pieces p;
   int count = 0;
-  const Triangles F = split_quads(mesh.V, mesh.Q);
+  // Any two triangles of a quad will do.
+  Triangles F(2 * mesh.Q.rows(), 3);
+  for (Eigen::Index q = 0; q < mesh.Q.rows(); ++q) {
+    F.row(2 * q) << mesh.Q(q, 0), mesh.Q(q, 1), mesh.Q(q, 2);
+    F.row(2 * q + 1) << mesh.Q(q, 0), mesh.Q(q, 2), mesh.Q(q, 3);
+  }
   p.of = vertex_components({mesh.V, F}, &count);
   p.volume.assign(count, 0);
   p.vertices.assign(count, 0);
@@ -115,16 +120,25 @@ int own_genus(std::span<const PartSurface> parts) {
 
 // The body with its gaps closed, and its handles: ever wider ones until none is left that no part
 // has of its own.
-constexpr double kGap = 3, kWidestHandle = 12;  // cells
-Surface closed_surface(const Body& body, Body::Sampled& sampled,
-                       std::span<const JointSphere> spheres, std::span<const PartSurface> parts) {
-  const double cell = sampled.grid.cell;
-  make_well_composed(sampled.grid);
-  close_gaps(sampled, body, kGap * cell, spheres);
-  Surface best = surface_of(sampled.grid);
-  if (best.genus() <= 0) return best;
+constexpr double kGap = 2, kWidestHandle = 8;  // cells
+Result<Surface> closed_surface(const Body& body, double cell, std::span<const JointSphere> spheres,
+                               std::span<const PartSurface> parts, Body::Sampled& sampled,
+                               Run& run) {
+  const auto sample_for = [&](double reach) -> Result<Surface> {
+    Result<Body::Sampled> found = body.sample(cell, (reach + 1) * cell, run);
+    if (!found) return found.error();
+    sampled = std::move(*found);
+    make_well_composed(sampled.grid);
+    close_gaps(sampled, body, kGap * cell, spheres);
+    return surface_of(sampled.grid);
+  };
+  Result<Surface> best = sample_for(kGap);
+  if (!best || best->genus() <= 0) return best;
   const int wanted = own_genus(parts);
-  for (double reach = 2 * kGap; reach <= kWidestHandle && best.genus() > wanted; reach *= 2) {
+  if (best->genus() <= wanted) return best;
+  best = sample_for(kWidestHandle);
+  for (double reach = 2 * kGap; best && reach <= kWidestHandle && best->genus() > wanted;
+       reach *= 2) {
     close_gaps(sampled, body, reach * cell, {});
     best = surface_of(sampled.grid);
   }
@@ -185,13 +199,13 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
   if (options.blend) spheres = joint_spheres(document, parts, tree);
   const double cell = cell_size(tree, parts);
   Body body(parts, tree, spheres, kLatticeGap * cell);
-  Result<Body::Sampled> sampled = Error{};
+  Body::Sampled sampled;
   Surface surface;
   for (const bool tied : {false, true}) {
-    sampled = body.sample(cell, (kWidestHandle + 1) * cell, run);
-    if (!sampled) return sampled.error();
+    Result<Surface> closed = closed_surface(body, cell, spheres, parts, sampled, run);
+    if (!closed) return closed.error();
+    surface = std::move(*closed);
     run.report(tied ? 0.4 : 0.3);
-    surface = closed_surface(body, *sampled, spheres, parts);
     const auto solid = [](double volume) { return volume > 0; };
     const std::vector<double>& volume = surface.found.volume;
     if (tied || std::count_if(volume.begin(), volume.end(), solid) < 2) break;
@@ -203,11 +217,11 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
   QuadMesh mesh = only(surface.mesh, surface.found, surface.found.largest);
   if (mesh.V.rows() == 0) return bad_input("the parts are too thin to make a surface of");
   body.set_gap(kSettledGap * cell);
-  const Settled settled = settle(body, *sampled, mesh);
+  const Settled settled = settle(body, sampled, mesh);
   if (run.cancelled()) return cancelled();
   name_the_fused(document, parts, tree, mesh, settled, warnings);
   run.report(0.7);
-  fair(body, *sampled, spheres, settled, mesh);
+  fair(body, sampled, spheres, settled, mesh);
   Mesh skin{mesh.V, split_quads(mesh.V, mesh.Q)};
   if (const int left = untangle(skin); left > 0)
     warnings.push_back("the surface passes through itself in " + std::to_string(left) +

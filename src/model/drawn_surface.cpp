@@ -57,10 +57,14 @@ std::vector<float> outline_distances(const Overlay& o) {
       const std::size_t p = o.index(x, y);
       distance[p] = std::numeric_limits<float>::max();
       for (const auto& [dx, dy] : kBeside)
-        if (!o.inside(x + dx, y + dy) || !o.runs_on(p, o.index(x + dx, y + dy))) distance[p] = 0.5f;
+        if (!o.inside(x + dx, y + dy) || !o.runs_on(p, o.index(x + dx, y + dy))) {
+          distance[p] = 0.5f;
+          break;
+        }
     }
   const auto relax = [&](int x, int y, int sign) {
     float& d = distance[o.index(x, y)];
+    if (d <= 0.5f) return;  // an outline, or beside the model
     for (const auto& [dx, dy, step] : {std::tuple(-1, 0, 1.0f), std::tuple(0, -1, 1.0f),
                                        std::tuple(-1, -1, kDiagonal), std::tuple(1, -1, kDiagonal)})
       if (const int u = x + sign * dx, v = y + sign * dy; u >= 0 && v >= 0 && u < w && v < h)
@@ -107,7 +111,6 @@ void fill_colours(const Overlay& o, Sketch& sketch) {
         if (distance[o.index(u, v)] > d) return false;
     return d > 1;
   };
-  std::vector<std::size_t> queue;
   for (int y = 0; y < sketch.height; ++y)
     for (int x = 0; x < sketch.width; ++x) {
       const std::size_t p = o.index(x, y);
@@ -115,18 +118,26 @@ void fill_colours(const Overlay& o, Sketch& sketch) {
       if (distance[p] < ink && !in_the_middle(x, y)) continue;
       sketch.colour[p] = o.colour(p);
       sketch.state[p] = Sketch::drawn;
-      queue.push_back(p);
     }
+  std::vector<std::array<int, 2>> queue;  // coloured, beside what isn't yet
+  for (int y = 0; y < sketch.height; ++y)
+    for (int x = 0; x < sketch.width; ++x)
+      if (sketch.state[o.index(x, y)] == Sketch::drawn &&
+          std::any_of(kBeside.begin(), kBeside.end(), [&](const auto& to) {
+            return o.inside(x + to[0], y + to[1]) &&
+                   sketch.state[o.index(x + to[0], y + to[1])] == Sketch::nothing;
+          }))
+        queue.push_back({x, y});
   for (std::size_t head = 0; head < queue.size(); ++head) {
-    const std::size_t p = queue[head];
-    const int x = int(p % std::size_t(sketch.width)), y = int(p / std::size_t(sketch.width));
+    const int x = queue[head][0], y = queue[head][1];
+    const std::size_t p = o.index(x, y);
     for (const auto& [dx, dy] : kBeside) {
       if (!o.inside(x + dx, y + dy)) continue;
       const std::size_t q = o.index(x + dx, y + dy);
       if (sketch.state[q] != Sketch::nothing || !o.runs_on(p, q)) continue;
       sketch.colour[q] = sketch.colour[p];
       sketch.state[q] = Sketch::pulled;
-      queue.push_back(q);
+      queue.push_back({x + dx, y + dy});
     }
   }
 }

@@ -52,6 +52,26 @@ void interpolate(const CubicWeights& cubic, const float* coarse, float* fine) {
       }
 }
 
+// K = Qᵀ K Q for symmetric K, of which the lower half is read and written. Q = I − V T Vᵀ as a
+// product of few reflections (Schreiber and Van Loan 1989), so that
+// Qᵀ K Q = K − V Zᵀ − Z Vᵀ with W = K V T and Z = W − V (Tᵀ Vᵀ W) / 2: one pass over K.
+void project(const Eigen::HouseholderQR<Matrix>& qr, Matrix& K) {
+  const Eigen::Index rank = qr.hCoeffs().size();
+  const Matrix V = qr.matrixQR().leftCols(rank).triangularView<Eigen::UnitLower>();
+  Matrix T = Matrix::Zero(rank, rank);
+  for (Eigen::Index i = 0; i < rank; ++i) {
+    T(i, i) = qr.hCoeffs()[i];
+    T.col(i).head(i) = -T(i, i) * (T.topLeftCorner(i, i) * (V.leftCols(i).transpose() * V.col(i)));
+  }
+  const Matrix KV = K.selfadjointView<Eigen::Lower>() * V;
+  const Matrix W = KV * T;
+  const Matrix Z = W - V * (T.transpose() * (V.transpose() * W)) / 2;
+  Matrix left(V.rows(), 2 * rank), right(V.rows(), 2 * rank);
+  left << V, Z;
+  right << Z, V;
+  K.triangularView<Eigen::Lower>() -= left * right.transpose();
+}
+
 }  // namespace
 
 HermiteSurface::HermiteSurface(std::span<const SurfacePoint> points,
@@ -65,7 +85,8 @@ HermiteSurface::HermiteSurface(std::span<const SurfacePoint> points,
   std::vector<Vec3> c(n);
   for (int i = 0; i < n; ++i) c[i] = (points[i].position - centre_) / scale_;
 
-  // Rows and columns: the n values, then each point's slopes along its normal and its sight.
+  // Rows and columns: the n values, then each point's slopes along its normal and its sight. K is
+  // symmetric: its lower half alone is filled and read.
   Matrix K(3 * n, 3 * n), P = Matrix::Zero(3 * n, 4);
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(3 * n);
   for (int j = 0; j < n; ++j) {
@@ -74,11 +95,11 @@ HermiteSurface::HermiteSurface(std::span<const SurfacePoint> points,
       const Vec3 d = c[i] - c[j];
       const double r = d.norm(), per_r = r > 0 ? 1 / r : 0;
       const Vec3 way_i[2] = {points[i].normal, points[i].sight};
+      for (int u = 0; u < 2; ++u) K(n + 2 * i + u, j) = 3 * r * d.dot(way_i[u]);
+      if (i < j) continue;
       K(i, j) = r * r * r;
       for (int v = 0; v < 2; ++v) {
         const double along_j = d.dot(way_j[v]);
-        K(i, n + 2 * j + v) = -3 * r * along_j;
-        K(n + 2 * i + v, j) = 3 * r * d.dot(way_i[v]);
         for (int u = 0; u < 2; ++u)
           K(n + 2 * i + u, n + 2 * j + v) =
               -3 * (r * way_i[u].dot(way_j[v]) + per_r * d.dot(way_i[u]) * along_j);
@@ -97,14 +118,14 @@ HermiteSurface::HermiteSurface(std::span<const SurfacePoint> points,
   // K is positive definite for what no linear function sees: Cholesky in that subspace.
   const Eigen::HouseholderQR<Matrix> qr(P);
   const int m = 3 * n - 4;
-  K.applyOnTheLeft(qr.householderQ().adjoint());
-  K.applyOnTheRight(qr.householderQ());
+  project(qr, K);
   const Eigen::VectorXd q_rhs = qr.householderQ().adjoint() * rhs;
-  const Eigen::LLT<Matrix> llt(K.bottomRightCorner(m, m));
+  Eigen::Ref<Matrix> inner = K.bottomRightCorner(m, m);
+  const Eigen::LLT<Eigen::Ref<Matrix>> llt(inner);  // in place
   Eigen::VectorXd solution = Eigen::VectorXd::Zero(3 * n);
   solution.tail(m) = llt.solve(q_rhs.tail(m));
   linear_ = qr.matrixQR().topLeftCorner<4, 4>().triangularView<Eigen::Upper>().solve(
-                q_rhs.head<4>() - K.topRightCorner(4, m) * solution.tail(m)) *
+                q_rhs.head<4>() - K.bottomLeftCorner(m, 4).transpose() * solution.tail(m)) *
             scale_;
   solution = qr.householderQ() * solution;
 

@@ -34,30 +34,28 @@ void add_mirrored_views(const Document& document, std::vector<Part>& parts) {
   }
 }
 
-std::vector<const PartView*> agreeing_mirrors(const Part& part, int cells) {
-  std::vector<const PartView*> mirrors;
-  for (const PartView& view : part.mirrors) mirrors.push_back(&view);
-  if (mirrors.empty()) return {};
-  Result<Carving> own = carving_of(part, {}, cells);
-  if (!own || own->one_direction()) return {};
-  const Result<Carving> all = carving_of(part, mirrors, cells);
+Result<Carving> carving_with_mirrors(const Part& part, int cells) {
+  Result<Carving> own = carving_of(part, cells);
+  if (!own || part.mirrors.empty() || own->one_direction()) return own;
+  Carving all = *own;
+  add_views(part, part.mirrors, cells, all);
   std::vector<const Silhouette*> own_views, all_views;
-  for (const Silhouette& view : all->views) {
+  for (const Silhouette& view : all.views) {
     all_views.push_back(&view);
     if (!view.view->mirrored) own_views.push_back(&view);
   }
   const auto covered = [&](const Silhouette* view, std::vector<const Silhouette*> others) {
     others.erase(std::remove(others.begin(), others.end(), view), others.end());
-    return coverage(*view, others, all->room, kTolerance);
+    return coverage(*view, others, all.room, kTolerance);
   };
   for (const Silhouette* view : all_views) {
     const bool fine =
         view->view->mirrored
             ? covered(view, own_views) >= kAgreement && covered(view, all_views) >= kAgreement
             : covered(view, own_views) - covered(view, all_views) <= 1 - kAgreement;
-    if (!fine) return {};
+    if (!fine) return own;
   }
-  return mirrors;
+  return all;
 }
 
 }  // namespace artisketch

@@ -9,12 +9,14 @@ namespace artisketch {
 
 // Fills each part's `mirrors` with the contours of its joint's mirror image, reflected in the rest
 // pose's plane x = x(root). A joint that is its own image gives its part its own contours from the
-// other side. Candidates only: which of them a part can use, agreeing_mirrors tells.
+// other side. Candidates only: carving_with_mirrors tells whether a part can
+// use them.
 void add_mirrored_views(const Document& document, std::vector<Part>& parts);
 
-// The part's mirrored views, all of them or none: only where they say nothing that the part's own
-// contours deny. All must be covered by the part's own hull and by all the rest, and cost the own
-// contours no coverage. None where the own views share one direction: they would deny nothing.
-std::vector<const PartView*> agreeing_mirrors(const Part& part, int cells);
+// The part's own outlines and its mirrored ones, all of these or none: only where they say nothing
+// that the part's own contours deny. All must be covered by the part's own hull and by all the
+// rest, and cost the own contours no coverage. None where the own views share one direction: they
+// would deny nothing. Fails as carving_of does.
+Result<Carving> carving_with_mirrors(const Part& part, int cells);
 
 }  // namespace artisketch

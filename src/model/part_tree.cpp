@@ -1,11 +1,48 @@
 #include "model/part_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "base/block_grid.h"
+
 namespace artisketch {
 namespace {
+
+// The diameter of the largest ball inside. A part's distances end some cells from its surface: from
+// there on by chamfer steps (Borgefors 1986) over every fourth sample.
+double width_of(const Grid3<float>& g, float least) {
+  constexpr int kStride = 4;
+  // One more all round, which is outside.
+  const Index3 size = (g.size.array() + (kStride - 1)) / kStride + 2;
+  const std::ptrdiff_t sy = size.x(), sz = sy * size.y();
+  std::vector<float> depth(std::size_t(sz) * size.z(), 0.0f);
+  for (int k = 0; k < size.z() - 2; ++k)
+    for (int j = 0; j < size.y() - 2; ++j)
+      for (int i = 0; i < size.x() - 2; ++i) {
+        const float d = -g(kStride * i, kStride * j, kStride * k);
+        depth[i + 1 + sy * (j + 1) + sz * (k + 1)] = d < -0.99f * least ? d : BlockGrid::kOutside;
+      }
+  std::array<std::ptrdiff_t, 13> to;  // the neighbours that come earlier
+  std::array<float, 13> way;
+  for (int n = 0; n < 13; ++n) {
+    const Index3 step(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+    to[n] = step.x() + sy * step.y() + sz * step.z();
+    way[n] = float(kStride * g.cell * step.cast<double>().norm());
+  }
+  float deepest = -least;
+  const std::ptrdiff_t first = 1 + sy + sz, last = std::ptrdiff_t(depth.size()) - 1 - first;
+  for (std::ptrdiff_t at = first; at <= last; ++at)
+    for (int n = 0; n < 13 && depth[at] > 0; ++n)
+      depth[at] = std::min(depth[at], depth[at + to[n]] + way[n]);
+  for (std::ptrdiff_t at = last; at >= first; --at) {
+    for (int n = 0; n < 13 && depth[at] > 0; ++n)
+      depth[at] = std::min(depth[at], depth[at - to[n]] + way[n]);
+    deepest = std::max(deepest, depth[at]);
+  }
+  return 2 * double(deepest);
+}
 
 // What one pass over a part's samples tells.
 void measure(const Grid3<float>& g, PartTree::Node& node, Vec3& centroid) {
@@ -17,13 +54,17 @@ void measure(const Grid3<float>& g, PartTree::Node& node, Vec3& centroid) {
   for (int k = 0; k < g.size.z(); ++k)
     for (int j = 0; j < g.size.y(); ++j) {
       const float* row = &g.values[at];
-      int in_row = 0;
-      double sum_x = 0;
+      int in_row = 0, sum_x = 0;
+      float least_in_row = 0;
       for (int i = 0; i < g.size.x(); ++i) {
         const bool in = row[i] < 0;
         in_row += in;
         sum_x += in ? i : 0;
-        if (row[i] < least) least = row[i], deepest = at + i;
+        least_in_row = std::min(least_in_row, row[i]);
+      }
+      if (least_in_row < least) {
+        least = least_in_row;
+        deepest = at + std::size_t(std::find(row, row + g.size.x(), least) - row);
       }
       for (int i = 1; i < g.size.x(); ++i) crossings += (row[i] < 0) != (row[i - 1] < 0);
       for (int i = 0; i < g.size.x() && j > 0; ++i)
@@ -39,6 +80,7 @@ void measure(const Grid3<float>& g, PartTree::Node& node, Vec3& centroid) {
   const auto x = deepest % g.size.x(), yz = deepest / g.size.x();
   node.deepest = g.position(int(x), int(yz % g.size.y()), int(yz / g.size.y()));
   node.thickness = -2 * double(least);
+  node.width = width_of(g, least);
   // The lines along the axes cross a surface |nx| + |ny| + |nz| times per cell²: 1.5 on average.
   node.area = double(crossings) * g.cell * g.cell / 1.5;
   centroid = g.origin + g.cell * (sum / double(inside));

@@ -30,7 +30,8 @@ struct PartTree {
                            // part it meets at joints without contours; −1 for one alone
     Vec3 joint;            // rest position of its joint
     Vec3 deepest;          // where its distance is least
-    double thickness = 0;  // twice its greatest depth, units
+    double thickness = 0;  // twice its greatest depth, units, as far as its samples are true
+    double width = 0;      // of the largest ball inside it, units, roughly
     double area = 0;       // of its surface, units², roughly
     std::vector<Segment> axes;  // its bones; without any, from the joint to the far end
   };

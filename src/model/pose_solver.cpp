@@ -6,7 +6,8 @@
 namespace artisketch {
 namespace {
 
-constexpr double kSettled = 1e-3;      // an energy that falls by less ends it
+constexpr double kSettled = 1e-3;      // an energy that falls by less
+constexpr int kSettledSteps = 2;       // so often in turn ends it: one step may be cut short
 constexpr double kNarrowest = 0.01;    // of a prior's width
 constexpr double kHiddenVariance = 2;  // times what shows: errors hide in open angles, too
 
@@ -59,6 +60,7 @@ SolvedPoses PoseSolver::minimise(PoseChange start, const PoseEnergy& what, int m
   best.energy = evaluate(best.change, what, &systems_);
   system_.assemble(best.change, systems_);
   double damping = 1e-3;
+  int slow = 0;
   for (int i = 0; i < most && damping < 1e4 && !run_.cancelled(); ++i) {
     PoseChange trial = system_.stepped(best.change, prior_, damping);
     const double energy = evaluate(trial, what, &systems_);
@@ -67,9 +69,9 @@ SolvedPoses PoseSolver::minimise(PoseChange start, const PoseEnergy& what, int m
       damping *= 8;
       continue;
     }
-    const bool settled = energy > best.energy * (1 - kSettled);
+    slow = energy > best.energy * (1 - kSettled) ? slow + 1 : 0;
     best = {std::move(trial), energy};
-    if (settled) break;
+    if (slow >= kSettledSteps) break;
     damping = std::max(damping / 5, 1e-6);
     system_.assemble(best.change, systems_);
   }

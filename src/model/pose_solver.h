@@ -38,7 +38,7 @@ class PoseSolver {
   }
 
   double energy(const PoseChange& change, const PoseEnergy& what) const;
-  // From `start` until a step gains less than a thousandth, at most `most` steps.
+  // From `start` until two steps in turn gain less than a thousandth, at most `most` steps.
   SolvedPoses minimise(PoseChange start, const PoseEnergy& what, int most);
   int iterations() const { return iterations_; }
 

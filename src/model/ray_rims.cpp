@@ -1,6 +1,7 @@
 #include "model/ray_rims.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Dense>
@@ -26,9 +27,12 @@ Depths depths_of(const Box3& box, const Ray& ray) {
 struct Others {
   std::vector<const Silhouette*> views;
   const Slab* slab;
-  double distance(const Vec3& p) const {
-    double most = slab->distance(p);
-    for (const Silhouette* view : views) most = std::max(most, view->distance(p));
+  // At each of a ray's depths.
+  std::array<float, kDepths> distances(const Ray& ray, const Depths& depths) const {
+    std::array<float, kDepths> most;
+    for (int k = 0; k < kDepths; ++k) most[k] = float(slab->distance(ray.at(depths.at(k))));
+    for (const Silhouette* view : views)
+      view->raise(ray.at(depths.first), depths.step * ray.direction, kDepths, most.data());
     return most;
   }
 };
@@ -106,8 +110,9 @@ void choose_depths(const Carving& carving, const Box3& box, RayRim& rim) {
   std::vector<float> data(std::size_t(n) * kDepths);
   for (int i = 0; i < n; ++i) {
     depths.push_back(depths_of(box, rim.rays[i].ray));
+    const std::array<float, kDepths> outside = others.distances(rim.rays[i].ray, depths[i]);
     for (int k = 0; k < kDepths; ++k) {
-      const double e = others.distance(rim.rays[i].ray.at(depths[i].at(k))) / R;
+      const double e = outside[k] / R;
       data[i * kDepths + k] = float(e > 0 ? kOutside * std::min(e * e, 100.0) : e);
     }
   }
@@ -151,8 +156,8 @@ Least least_along(const Ray& ray, const Depths& depths, const HermiteSurface& f,
                   const Others& others) {
   float values[kDepths];
   f.values(ray.at(depths.first), depths.step * ray.direction, kDepths, values);
-  for (int k = 0; k < kDepths; ++k)
-    values[k] += float(2 * std::max(0.0, others.distance(ray.at(depths.at(k)))));
+  const std::array<float, kDepths> outside = others.distances(ray, depths);
+  for (int k = 0; k < kDepths; ++k) values[k] += 2 * std::max(0.0f, outside[k]);
   const int best = int(std::min_element(values, values + kDepths) - values);
   if (best == 0 || best + 1 == kDepths) return {depths.at(best), 0};
   // The parabola through three samples.

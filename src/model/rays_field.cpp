@@ -49,11 +49,13 @@ void raise_plump(const HermiteSurface& f, const std::vector<RayRim>& rims, doubl
 
 Result<RaysField> rays_field(const Part& part, const RaysFieldOptions& options, Run& run) {
   RaysField out;
-  Result<Carving> carving = carving_of(part, agreeing_mirrors(part, options.cells), options.cells);
+  Result<Carving> carving = carving_with_mirrors(part, options.cells);
   if (!carving) return carving.error();
   widen_until_they_meet(*carving, out.warnings);
   swell_until_covered(*carving);
-  Result<Grid3<float>> hull = carve(*carving, options.cells, run);
+  // The rims' surface lies inside the hull: next to that alone must the hull's distances be true.
+  const double band = carving->one_direction() ? 4 : 1.5;
+  Result<Grid3<float>> hull = carve(*carving, options.cells, run, band);
   if (!hull) return hull.error();
   out.distance = std::move(*hull);
 

@@ -11,9 +11,7 @@
 // fast.
 #include <cmath>
 
-#include <Eigen/SparseCholesky>
-
-#include "base/sparse.h"
+#include "model/bending.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -111,18 +109,34 @@ Anchors strays_of(const Part& part, const Points3& V) {
   return strays;
 }
 
-// Minimises xᵀKx + Σ w_i (x_i − t_i)². Rows with an infinite weight are fixed at their target.
 // Returns false where the matrix can't be factored.
 bool minimise(const SparseMatrix& K, const Eigen::VectorXd& weights, const Points3& targets,
               Points3& x) {
+  const BendingSystem system = bending_system(K, weights, targets);
+  x = targets;
+  if (system.right.rows() == 0) return true;
+  const Factors factors(system.A);
+  if (factors.info() != Eigen::Success) return false;
+  const Columns solution = solve(factors, system.right);
+  if (!solution.allFinite()) return false;
+  for (Eigen::Index v = 0; v < x.rows(); ++v)
+    if (system.unknown[v] >= 0) x.row(v) = solution.row(system.unknown[v]);
+  return true;
+}
+
+}  // namespace
+
+BendingSystem bending_system(const SparseMatrix& K, const Eigen::VectorXd& weights,
+                             const Points3& targets) {
   const int n = int(K.rows());
-  std::vector<int> unknown(n, -1);
+  BendingSystem system;
+  std::vector<int>& unknown = system.unknown;
+  unknown.assign(n, -1);
   int unknowns = 0;
   for (int v = 0; v < n; ++v)
     if (std::isfinite(weights[v])) unknown[v] = unknowns++;
-  x = targets;
-  if (unknowns == 0) return true;
-  Points3 b(unknowns, 3);
+  Columns& b = system.right;
+  b.resize(unknowns, 3);
   for (int v = 0; v < n; ++v)
     if (unknown[v] >= 0) b.row(unknown[v]) = weights[v] * targets.row(v);
   std::vector<Eigen::Triplet<double>> entries;
@@ -136,20 +150,15 @@ bool minimise(const SparseMatrix& K, const Eigen::VectorXd& weights, const Point
       else if (i >= j)
         entries.emplace_back(i, j, it.value() + (i == j ? weights[column] : 0));
     }
-  SparseMatrix A(unknowns, unknowns);
-  A.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<SparseMatrix> factors(A);
-  if (factors.info() != Eigen::Success) return false;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::VectorXd solution = factors.solve(Eigen::VectorXd(b.col(axis)));
-    if (!solution.allFinite()) return false;
-    for (int v = 0; v < n; ++v)
-      if (unknown[v] >= 0) x(v, axis) = solution[unknown[v]];
-  }
-  return true;
+  system.A.resize(unknowns, unknowns);
+  system.A.setFromTriplets(entries.begin(), entries.end());
+  return system;
 }
 
-}  // namespace
+SparseMatrix bi_laplacian(const Mesh& mesh) {
+  const SparseMatrix L = cotangent_laplacian(mesh);
+  return L * SparseMatrix(lumped_areas(mesh).cwiseInverse().asDiagonal() * L);
+}
 
 Result<Mesh> reduce_volume(const Part& part, const Mesh& mesh, std::span<const Rim> rims,
                            const ReduceOptions& options, Run& run) {
@@ -162,8 +171,7 @@ Result<Mesh> reduce_volume(const Part& part, const Mesh& mesh, std::span<const R
   Mesh scaled = mesh;
   const Vec3 centre = bounds(mesh.V).center();
   scaled.V = (mesh.V.rowwise() - centre.transpose()) / edge;
-  const SparseMatrix L = cotangent_laplacian(scaled);
-  const SparseMatrix K = L * SparseMatrix(lumped_areas(scaled).cwiseInverse().asDiagonal() * L);
+  const SparseMatrix K = bi_laplacian(scaled);
   const double infinity = std::numeric_limits<double>::infinity();
   Eigen::VectorXd weights = Eigen::VectorXd::Constant(mesh.V.rows(), kTie);
   Points3 targets = scaled.V;

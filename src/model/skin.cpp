@@ -7,10 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/SparseCholesky>
-
-#include "base/sparse.h"
 #include "model/body.h"
+#include "model/heat.h"
 
 namespace artisketch {
 namespace {
@@ -114,8 +112,8 @@ void keep_four(const Eigen::VectorXd& of_part, std::span<const PartSurface> part
 
 }  // namespace
 
-Result<Weights> skin(const Document& document, std::span<const PartSurface> parts, const Mesh& mesh,
-                     Run& run) {
+Result<HeatSystem> heat_system(const Document& document, std::span<const PartSurface> parts,
+                               const Mesh& mesh, Run& run) {
   const PartTree tree = part_tree(document, parts);
   const int count = int(parts.size()), n = int(mesh.V.rows());
   if (std::none_of(tree.nodes.begin(), tree.nodes.end(), [](const auto& p) { return p.solid; }))
@@ -123,38 +121,44 @@ Result<Weights> skin(const Document& document, std::span<const PartSurface> part
   const Body body(parts, tree, {}, 0);
   const Points3 normals = vertex_normals(mesh);
   const Eigen::VectorXd areas = lumped_areas(mesh);
-  Eigen::VectorXd heat(n), radius(n);
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, count);
+  HeatSystem system;
+  system.right = Columns::Zero(n, count);
+  Eigen::VectorXd radius(n);
   for (int v = 0; v < n; ++v) {
     if (v % 4096 == 0 && run.cancelled()) return cancelled();
     const Listening l =
         listening(body, tree, mesh.V.row(v).transpose(), normals.row(v).transpose());
     radius[v] = l.radius;
-    for (const int part : l.parts) right(v, part) = 1 / double(l.parts.size());
+    for (const int part : l.parts) system.right(v, part) = 1 / double(l.parts.size());
   }
   limit_growth(mesh, radius);
-  heat = kHeat * areas.cwiseQuotient(radius.cwiseAbs2());
-  right = heat.asDiagonal() * right;
+  system.heat = kHeat * areas.cwiseQuotient(radius.cwiseAbs2());
+  system.right = system.heat.asDiagonal() * system.right;
+  system.A = -cotangent_laplacian(mesh);
+  system.A += SparseMatrix(system.heat.asDiagonal());
+  return system;
+}
+
+Result<Weights> skin(const Document& document, std::span<const PartSurface> parts, const Mesh& mesh,
+                     Run& run) {
+  const Result<HeatSystem> system = heat_system(document, parts, mesh, run);
+  if (!system) return system.error();
   run.report(0.3);
-  SparseMatrix A = -cotangent_laplacian(mesh);
-  A += SparseMatrix(heat.asDiagonal());
-  const Eigen::SimplicialLDLT<SparseMatrix> solver(A);
-  if (solver.info() != Eigen::Success)
+  const Factors factors(system->A);
+  if (factors.info() != Eigen::Success)
     return bad_input("the surface is too degenerate to carry weights");
-  run.report(0.6);
-  Eigen::MatrixXd solved(n, count);
-  for (int part = 0; part < count; ++part) {
-    if (run.cancelled()) return cancelled();
-    solved.col(part) = solver.solve(right.col(part));
-    run.report(0.6 + 0.4 * (part + 1) / count);
-  }
+  if (run.cancelled()) return cancelled();
+  run.report(0.8);
+  const Columns solved = solve(factors, system->right);
+  run.report(1);
+  const int n = int(mesh.V.rows());
   Weights weights;
   weights.joints.resize(n, 4);
   weights.weights.resize(n, 4);
   for (int v = 0; v < n; ++v) {
     Eigen::VectorXd row = solved.row(v).transpose().cwiseMax(0);
     // A vertex that no heat reaches (none is known) listens to its own part alone.
-    if (!(row.maxCoeff() > kLeastWeight)) row = right.row(v).transpose() / heat[v];
+    if (!(row.maxCoeff() > kLeastWeight)) row = system->right.row(v).transpose() / system->heat[v];
     keep_four(row, parts, v, weights);
   }
   return weights;

@@ -48,7 +48,7 @@ Curves curves_of(const Mesh& mesh, std::span<const Rim> rims) {
 }
 
 Result<Carving> carving_of(const Part& part, int cells, std::vector<std::string>& warnings) {
-  Result<Carving> carving = carving_of(part, {}, cells);
+  Result<Carving> carving = artisketch::carving_of(part, cells);
   if (carving) widen_until_they_meet(*carving, warnings);
   return carving;
 }

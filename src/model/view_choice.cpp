@@ -43,6 +43,13 @@ class Chooser {
         choices_[f].view.push_back(int(v));
         choices_[f].cost.push_back(cost);
       }
+    // Messages ask for the same steps again and again.
+    steps_.resize(choices_.size() * views_ * views_);
+    for (int f = 0; f < mesh.F.rows(); ++f)
+      for (std::size_t v = 0; v < views_; ++v)
+        for (std::size_t w = 0; w < v; ++w)
+          steps_[index(f, int(v), int(w))] = steps_[index(f, int(w), int(v))] =
+              step(f, int(v), int(w));
     messages_.resize(choices_.size());
     for (std::size_t f = 0; f < choices_.size(); ++f)
       for (auto& message : messages_[f]) message.assign(choices_[f].view.size(), 0.0f);
@@ -66,8 +73,12 @@ class Chooser {
     const Rgb& b = colour_[std::size_t(f) * views_ + w];
     return a.x() < 0 || b.x() < 0 ? kUnknownStep : (a - b).norm();
   }
+  std::size_t index(int f, int v, int w) const {
+    return (std::size_t(f) * views_ + std::size_t(v)) * views_ + std::size_t(w);
+  }
   float seam(int f, int v, int g, int w) const {
-    return v == w ? 0 : kSeamCost + kStepCost * (step(f, v, w) + step(g, v, w)) / 2;
+    if (v == w) return 0;
+    return kSeamCost + kStepCost * (steps_[index(f, v, w)] + steps_[index(g, v, w)]) / 2;
   }
   int side_of(int f, int g) const {
     int k = 0;
@@ -131,6 +142,7 @@ class Chooser {
   std::size_t views_;
   std::vector<Choices> choices_;
   std::vector<Rgb> colour_;                                  // #F×#views; −1 where not seen
+  std::vector<float> steps_;                                 // #F×#views×#views
   std::vector<std::array<std::vector<float>, 3>> messages_;  // to each face, from each side
   std::vector<float> sum_;
 };

@@ -61,5 +61,21 @@ TEST(LumpedAreas, ArePositiveWithoutArea) {
   EXPECT_GT(lumped_areas(flat).minCoeff(), 0);
 }
 
+TEST(Solve, ManySidesAtOnceAsOneByOne) {
+  const Mesh sphere = icosphere({1, 2, 3}, 0.5, 3);
+  SparseMatrix A = -cotangent_laplacian(sphere);
+  A += SparseMatrix(lumped_areas(sphere).asDiagonal());
+  const Factors factors(A);
+  ASSERT_EQ(factors.info(), Eigen::Success);
+  Columns B(sphere.V.rows(), 5);
+  for (Eigen::Index i = 0; i < B.size(); ++i) B.data()[i] = std::sin(double(i));
+  const Columns X = solve(factors, B);
+  EXPECT_LT((A * X - B).norm(), 1e-9 * B.norm());
+  for (int c = 0; c < 5; ++c) {
+    const Eigen::VectorXd x = factors.solve(Eigen::VectorXd(B.col(c)));
+    EXPECT_LT((X.col(c) - x).norm(), 1e-12 * x.norm());
+  }
+}
+
 }  // namespace
 }  // namespace artisketch

@@ -46,7 +46,10 @@ void expect_same(const Model& model, const Model& read) {
     EXPECT_EQ(read.skeleton.joints[j].parent, model.skeleton.joints[j].parent);
     EXPECT_EQ(read.skeleton.joints[j].offset, model.skeleton.joints[j].offset);
   }
-  EXPECT_EQ(read.mesh.V, model.mesh.V.cast<float>().cast<double>());
+  // Vertices are rounded to a hundredth of a pixel or so.
+  ASSERT_EQ(read.mesh.V.rows(), model.mesh.V.rows());
+  EXPECT_LT((read.mesh.V - model.mesh.V).cwiseAbs().maxCoeff(),
+            1e-5 * bounds(model.mesh.V).sizes().maxCoeff());
   EXPECT_EQ(read.mesh.F, model.mesh.F);
   // What each vertex owes to each joint, in whatever order it is named.
   for (int v = 0; v < int(model.mesh.V.rows()); ++v) {
@@ -55,7 +58,7 @@ void expect_same(const Model& model, const Model& read) {
       owed[std::size_t(model.weights.joints(v, k))] += model.weights.weights(v, k);
       owed[std::size_t(read.weights.joints(v, k))] -= read.weights.weights(v, k);
     }
-    for (const double rest : owed) ASSERT_NEAR(rest, 0, 5e-7) << v;
+    for (const double rest : owed) ASSERT_NEAR(rest, 0, 1e-4) << v;
   }
   ASSERT_EQ(read.texcoords.size(), model.texture ? model.texcoords.size() : 0u);
   ASSERT_EQ(bool(read.texture), bool(model.texture));
@@ -158,7 +161,7 @@ TEST(Gltf, TextureSeamsDoNotShowInTheNormals) {
   const auto normals = glb.values<float>(glb.primitive()["attributes"]["NORMAL"]);
   for (int v = 0; v < int(model.mesh.V.rows()); ++v) {
     const Vec3 n(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]);
-    EXPECT_NEAR(n.norm(), 1, 1e-6);
+    EXPECT_NEAR(n.norm(), 1, 5e-4);
     EXPECT_GT(n.dot(model.mesh.V.row(v).normalized()), 0.99);  // of a sphere
   }
 }

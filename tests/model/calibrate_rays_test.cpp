@@ -229,6 +229,17 @@ TEST(CalibrateRays, BringsPosesNearer) {
   }
 }
 
+// Boxy limbs fit in more ways than one: these had fallen into wrong ones, a whole leg at a time.
+TEST(CalibrateRays, BeginsALimbAnewThatFellIntoAnotherMinimum) {
+  for (const int seed : {15, 19}) {
+    const Figure figure = robot(seed);
+    const Camera camera = fitting_camera(figure, Camera::Type::orthographic, 512, 512);
+    const Sketches sketches = draw(figure, random_views(figure, 3, seed), camera, 512, 512,
+                                   {.pose_error_degrees = 15, .root_error = 15.0 / 400}, seed);
+    EXPECT_GE(share(calibrated(sketches.given).coverage, &PartCoverage::after), 0.999) << seed;
+  }
+}
+
 TEST(CalibrateRays, GivesTheSameBitsAgain) {
   const Document d = sketched(human(1), 2, Camera::Type::orthographic, 10, 1).given;
   const Calibration a = calibrated(d), b = calibrated(d);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/self_intersection.h"
+#include "model/part_tree.h"
 #include "model/solid_parts.h"
 
 namespace artisketch {
@@ -59,6 +60,27 @@ Figure fork(double apart) {
     figure.parts[leg].blobs = {limb(top, 0.1, top - Vec3(0, 0.8, 0), 0.1)};
   }
   return figure;
+}
+
+// Distances end four cells from a part's surface: what lies deeper still counts for its width.
+TEST(PartTree, KnowsHowWideAPartIsBeyondItsDistances) {
+  constexpr double kCell = 0.02;
+  for (const double radius : {0.05, 0.2, 0.5}) {
+    Document document;
+    document.skeleton.joints.emplace_back().name = "rod";
+    std::vector<PartSurface> parts(1);
+    Grid3<float>& g = parts[0].distance;
+    const Vec3 half(0.8, radius + 2 * kCell, radius + 2 * kCell);  // a rod along x
+    g = Grid3<float>(-half, kCell, (2 * half / kCell).array().ceil().cast<int>());
+    for (int k = 0; k < g.size.z(); ++k)
+      for (int j = 0; j < g.size.y(); ++j)
+        for (int i = 0; i < g.size.x(); ++i) {
+          const Vec3 p = g.position(i, j, k);
+          const double d = std::max(std::hypot(p.y(), p.z()) - radius, std::abs(p.x()) - 0.7);
+          g(i, j, k) = float(std::clamp(d, -4 * kCell, 4 * kCell));
+        }
+    EXPECT_NEAR(part_tree(document, parts).nodes[0].width, 2 * radius, 0.2 * radius + kCell);
+  }
 }
 
 TEST(Consolidate, MakesOneCleanSkinOfEveryFigure) {

@@ -1,5 +1,6 @@
 #include "model/mirror.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -52,19 +53,27 @@ TEST(Mirror, ViewsSeeTheOtherSideReflected) {
   }
 }
 
+// How many mirrored views the part's surface would be made with.
+int mirrored_views(const Part& part) {
+  const Result<Carving> carving = carving_with_mirrors(part, 64);
+  if (!carving) return -1;
+  return int(std::count_if(carving->views.begin(), carving->views.end(),
+                           [](const Silhouette& view) { return view.view->mirrored; }));
+}
+
 TEST(Mirror, TrueImagesAreUsed) {
   for (const Part& part : parts_with_mirrors(two_hands(0.3, 0.3)))
-    EXPECT_EQ(agreeing_mirrors(part, 64).size(), 2u);
+    EXPECT_EQ(mirrored_views(part), 2);
 }
 
 TEST(Mirror, AnAsymmetricCharacterLosesNothing) {
   for (const Part& part : parts_with_mirrors(two_hands(0.3, 0.4)))
-    EXPECT_TRUE(agreeing_mirrors(part, 64).empty());
+    EXPECT_EQ(mirrored_views(part), 0);
 }
 
 TEST(Mirror, OneDirectionDeniesNothingAndSoProvesNothing) {
   for (const Part& part : parts_with_mirrors(two_hands(0.3, 0.3, false)))
-    EXPECT_TRUE(agreeing_mirrors(part, 64).empty());
+    EXPECT_EQ(mirrored_views(part), 0);
 }
 
 }  // namespace

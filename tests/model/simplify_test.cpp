@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "base/self_intersection.h"
@@ -33,6 +35,22 @@ TEST(Simplify, ABladesSidesStayApart) {
   const Mesh fewer = simplified(blade, int(blade.F.rows()) / 20, 0.02);
   EXPECT_TRUE(topology(fewer).manifold());
   EXPECT_TRUE(self_intersections(fewer).empty());
+}
+
+TEST(Simplify, AThinNeckIsNotPinched) {
+  Mesh beads = icosphere(Vec3::Zero(), 1, 6);
+  for (int v = 0; v < beads.V.rows(); ++v) {  // a row of beads on a thin string
+    const double thick = 0.004 + 0.3 * std::pow(std::sin(9 * beads.V(v, 0)), 2);
+    beads.V.block<1, 2>(v, 1) *= thick;
+    beads.V(v, 0) *= 3;
+  }
+  for (const int share : {10, 20}) {
+    const int wanted = int(beads.F.rows()) / share;
+    const Mesh fewer = simplified(beads, wanted, 0.05);
+    EXPECT_TRUE(topology(fewer).manifold());
+    EXPECT_EQ(topology(fewer).components, 1);
+    EXPECT_LE(fewer.F.rows(), 1.1 * wanted);
+  }
 }
 
 TEST(Simplify, AskingForMoreThanThereAreChangesNothing) {
