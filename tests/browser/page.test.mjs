@@ -136,15 +136,18 @@ test('a worker that crashes or lacks memory is reported in words, and the next o
   await context.route('**/worker.js', async (route) => {
     const answer = await route.fetch();
     let body = await answer.text();
-    if (wrong === 'crash') body += '\n;onmessage = ({data}) => { if (data.request) throw new Error("a test broke it"); };';
-    if (wrong === 'memory') {
-      body += '\n;onmessage = ({data}) => { if (data.request) postMessage({died: {why: "out of memory", ofMemory: true}}); };';
-    }
+    // Live parts are made as ever: a request begins with its kind.
+    const instead = (what) => `\n;{ const as_ever = onmessage; onmessage = (event) => {
+      if (event.data.request && new DataView(event.data.request.slice(0, 4).buffer).getInt32(0, true) === 0) ${what}
+      else as_ever(event); }; }`;
+    if (wrong === 'crash') body += instead('throw new Error("a test broke it");');
+    if (wrong === 'memory') body += instead('postMessage({died: {why: "out of memory", ofMemory: true}});');
     wrong = {crash: 'memory', memory: 'none', none: 'none'}[wrong];
     await route.fulfill({response: answer, body});
   });
   const editor = await open(context, site.url);
   await openHero(editor);
+  await editor.until((state) => state.liveRevision === state.revision, 60);
   await editor.click('Reconstruct');
   assert.match((await editor.until((s) => !s.busy && /broke off/.test(s.message))).message, /a test broke it/);
   await editor.click('Reconstruct');
