@@ -1,5 +1,6 @@
 #include "editor/damage.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>
