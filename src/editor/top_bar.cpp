@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "document/edit.h"
 #include "editor/panels.h"
 
@@ -45,6 +48,13 @@ void progress_button(Work& work, const Rect& place) {
   draw().PopClipRect();
   draw().AddRectFilled({place.x + 2, place.bottom() - 3},
                        {place.x + 2 + (place.w - 4) * done, place.bottom() - 1}, t.accent, 1);
+  // A glint runs along: it goes on, also where a stage takes long.
+  constexpr double kGlintSeconds = 1.4;
+  constexpr float kGlint = 0.2f;  // of the bar
+  const float at = float(std::fmod(ImGui::GetTime() / kGlintSeconds, 1.0)) * (1 + kGlint);
+  const Rect bar{place.x + 2, place.bottom() - 3, place.w - 4, 2};
+  draw().AddRectFilled({bar.x + bar.w * std::max(0.0f, at - kGlint), bar.y},
+                       {bar.x + bar.w * std::min(1.0f, at), bar.bottom()}, t.text, 1);
   Rect row = place.inset(12, 0);
   const std::string cancel = "Cancel";
   write(row.cut_right(text_width(Font::body_bold, cancel)), Font::body_bold,
