@@ -19,11 +19,11 @@ constexpr double kRoughness = 0.9;
 
 // Numbers are as fine as anyone can see and no finer: bits that say nothing don't compress. All
 // steps are powers of two.
-constexpr int kPositionBits = 17;  // of the model's size: a hundredth of a pixel
+constexpr int kPositionBits = 16;  // of the model's size: a hundredth of a pixel
 constexpr double kNormalStep = 0x1p-11;
 constexpr double kTexcoordStep = 0x1p-14;  // a sixteenth of a texel of a usual atlas
 // Each step is exact in single precision, and so is their sum.
-constexpr int kWeightSteps = 1 << 16;
+constexpr int kWeightSteps = 1 << 14;
 
 // Grows a glTF model around one buffer.
 class Builder {
