@@ -22,7 +22,12 @@ void drawings_beside(Work& work, Rect column) {
     draw().AddRect(card.min(), card.max(), f == lit ? t.accent : t.line, kRadius, 0,
                    f == lit ? 2.5f : 1.0f);
     const std::string name = drawing_words(work.document(), f);
-    write({card.x + 8, card.bottom() - 20, card.w - 12, 16}, Font::small, rgb(0x1C2025), name);
+    const Rect label{card.x + 8, card.bottom() - 20, card.w - 12, 16};
+    draw().AddRectFilled(  // legible over feet
+        {label.x - 3, label.y},
+        {label.x + std::min(label.w, text_width(Font::small, name)) + 3, label.bottom()},
+        faded(t.paper_tint, 0.75f), kRadiusSmall);
+    write(label, Font::small, rgb(0x1C2025), name);
   }
 }
 
@@ -65,10 +70,10 @@ void how_it_is_done(Work& work, Rect column) {
             "Any pose, any side. Sprites and scans work; so does blank paper.");
   column.cut_top(12);
   step_card(work, column.cut_top(high), 2, "Outline each part",
-            "One colour per part. Draw around it; Cut splits an arm at the elbow.");
+            "One colour per part. Trace finds the edge; Cut splits an arm at the elbow.");
   column.cut_top(12);
   step_card(work, column.cut_top(high), 3, "Pose the skeleton",
-            "Drag joints until they match. Calibrate does the last bit.");
+            "Drag joints until they match. Calibrate does the last bit; the model appears.");
   column.cut_top(low ? 12 : 18);
   const Rect drop = column.cut_top(low ? 92 : 110);
   draw().AddRectFilled(drop.min(), drop.max(), t.selection, kRadiusCard);
