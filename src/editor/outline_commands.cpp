@@ -129,8 +129,9 @@ void join_with(Work& work, int other) {
     work.say(std::move(toast));
     return;
   }
+  const int joined = view.contour - (other < view.contour ? 1 : 0);
   work.commit("Join " + name, std::move(*next));
-  if (other < view.contour) --view.contour;
+  view.contour = joined;
 }
 
 std::vector<CrossingMark> crossing_marks(const Work& work) {

@@ -1,5 +1,6 @@
 // Outline: what the pointer does to contours.
 #include <cmath>
+#include <limits>
 
 #include "document/edit.h"
 #include "document/mend.h"
@@ -17,6 +18,15 @@ int contour_at(const Work& work, const OnScreen& on, ImVec2 p) {
   for (int i = 0; i < int(contours.size()); ++i) {
     const float distance = nearest_on(contours[std::size_t(i)].line, on, p).distance;
     if (distance <= nearest) nearest = distance, best = i;
+  }
+  if (best >= 0) return best;
+  // Within several, the smallest.
+  const Vec2 at = on.back(p);
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < int(contours.size()); ++i) {
+    const Polyline& line = contours[std::size_t(i)].line;
+    const double area = line.closed ? std::abs(signed_area(line)) : least;
+    if (area < least && contains(line, at)) least = area, best = i;
   }
   return best;
 }

@@ -91,6 +91,48 @@ def gives_outlines_to_parts():
     window.close()
 
 
+def ring(window, low, high):
+    """A square from corner to corner, made point by point; its part is the one proposed."""
+    window.key("p")
+    corners = [low, (high[0], low[1]), high, (low[0], high[1]), low]
+    for corner in corners:
+        click(window, at(window, *corner))
+    window.wait(lambda: "Redraw" in labels(window), why="the new outline")
+
+
+def joins_copies_and_picks_joints():
+    window = Window("1440x900", examples / "hero" / "hero.artisketch")
+    window.wait(lambda: window.state()["frames"] == 3, why="the drawings")
+    window.key("3")
+    window.wait(lambda: "Joint Foot L" in labels(window), why="the joints")
+    foot = middle(window, "Joint Foot L")  # there in every mode
+    window.key("1")
+    ring(window, (60, 60), (140, 140))
+    window.click("Other joint")
+    click(window, foot)
+    window.key("Return")
+    undo_is(window, "Draw Foot L")
+    ring(window, (120, 80), (200, 160))
+    window.click("Other joint")
+    window.click("Foot L")
+    window.key("Return")
+    undo_is(window, "Draw Foot L")
+    window.key("v")
+    click(window, at(window, 180, 120))
+    window.click("Join")
+    click(window, at(window, 80, 100))
+    undo_is(window, "Join Foot L")
+    window.x("mousemove", *map(round, at(window, 60, 60)))
+    window.key("Delete")
+    undo_is(window, "Delete point")
+    window.picture("joined")
+    frame = window.state()["frame"]
+    window.click("Copy to tool")
+    undo_is(window, "Copy Foot L")
+    assert window.state()["frame"] == frame + 1
+    window.close()
+
+
 def mends_a_crossing():
     window = drawing()
     window.key("p")
@@ -170,5 +212,5 @@ def takes_drawings_in():
     window.close()
 
 
-run(traces_and_cuts, gives_outlines_to_parts, mends_a_crossing, builds_a_skeleton,
-    takes_drawings_in)
+run(traces_and_cuts, gives_outlines_to_parts, joins_copies_and_picks_joints, mends_a_crossing,
+    builds_a_skeleton, takes_drawings_in)
