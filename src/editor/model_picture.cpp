@@ -9,6 +9,7 @@
 #include <GLES3/gl3.h>
 #include <imgui.h>
 
+#include "editor/shader.h"
 #include "files/marks.h"
 
 namespace artisketch {
@@ -73,20 +74,10 @@ struct Program {
   GLint clip, turn, use, line;
 };
 
-GLuint compiled(GLenum kind, const char* text) {
-  const GLuint shader = glCreateShader(kind);
-  glShaderSource(shader, 1, &text, nullptr);
-  glCompileShader(shader);
-  return shader;
-}
-
 const Program& program() {
   static const Program made = [] {
     Program p;
-    p.id = glCreateProgram();
-    glAttachShader(p.id, compiled(GL_VERTEX_SHADER, kVertex));
-    glAttachShader(p.id, compiled(GL_FRAGMENT_SHADER, kFragment));
-    glLinkProgram(p.id);
+    p.id = linked(kVertex, kFragment);
     p.clip = glGetUniformLocation(p.id, "clip");
     p.turn = glGetUniformLocation(p.id, "turn");
     p.use = glGetUniformLocation(p.id, "use");
