@@ -210,10 +210,15 @@ test('two fingers pan and zoom, a tap of two undoes', async (t) => {
   await fingers('touchStart', [[x - 40, y]]);
   await fingers('touchStart', [[x - 40, y], [x + 40, y]]);
   for (let i = 1; i <= 10; i++) await fingers('touchMove', [[x - 40 - 4 * i, y + 3 * i], [x + 40 + 4 * i, y + 3 * i]]);
+  const length = ([a, b]) => b[0] - a[0];
+  const follows = async () => { // once the last move is drawn
+    const now = await where();
+    return Math.abs(now[0][1] - before[0][1] - 30) < 3 && Math.abs(length(now) / length(before) - 2) < 0.1;
+  };
+  for (let tries = 0; tries < 100 && !await follows(); tries++) await editor.page.waitForTimeout(50);
   await fingers('touchEnd', []);
   const after = await where();
   assert.ok(Math.abs(after[0][1] - before[0][1] - 30) < 3, `panned: ${before} → ${after}`);
-  const length = ([a, b]) => b[0] - a[0];
   assert.ok(Math.abs(length(after) / length(before) - 2) < 0.1, `zoomed: ${before} → ${after}`);
   assert.equal((await editor.state()).canUndo, false, 'fingers draw nothing');
 
