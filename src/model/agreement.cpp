@@ -13,7 +13,6 @@ constexpr int kRays = 64;               // tested per outline
 constexpr double kMostSwelling = 0.03;  // of the outline's diagonal
 constexpr double kMostGiven = 0.1;      // the same, of a mirrored outline
 constexpr double kWidth = 12;           // of a swelling, times its height: a gentle one
-constexpr double kSlack = 0.5;          // pixels, beyond what mirrored outlines lack
 
 std::vector<const Silhouette*> all_but(const Carving& carving, const Silhouette* out) {
   std::vector<const Silhouette*> rest;
@@ -81,9 +80,8 @@ double coverage(const Silhouette& outline, const std::vector<const Silhouette*>&
 
 namespace {
 
-// Rays of the outlines (of the own ones, if just the mirrored yield) come inside all others by
-// `slack` pixels.
-void swell(Carving& carving, bool mirrored_yield, double slack) {
+// Rays of the outlines (of the own ones, if just the mirrored yield) come inside all others.
+void swell(Carving& carving, bool mirrored_yield) {
   const auto asks = [&](const Silhouette& s) { return !mirrored_yield || !s.view->mirrored; };
   const auto yields = [&](const Silhouette& s) { return !mirrored_yield || s.view->mirrored; };
   std::vector<std::vector<DistanceRaster::Swelling>> swellings(carving.views.size());
@@ -92,13 +90,13 @@ void swell(Carving& carving, bool mirrored_yield, double slack) {
     const auto others = all_but(carving, &view);
     for (const RayRim& line : outline_rays(view, kRays))
       for (const RimRay& ray : line.rays) {
-        const Miss found = miss(ray.ray, others, carving.room, -slack);
-        if (!(found.distance > -slack)) continue;
+        const Miss found = miss(ray.ray, others, carving.room, 0);
+        if (!(found.distance > 0)) continue;
         // Every outline that it passes there must give way, each by what it lacks.
         for (const Silhouette& other : carving.views) {
           if (&other == &view || !yields(other)) continue;
           const double lacks =
-              other.distance(found.point) * other.view->pixels_per_unit(found.point) + slack;
+              other.distance(found.point) * other.view->pixels_per_unit(found.point);
           const double most = (mirrored_yield ? kMostGiven : kMostSwelling) *
                               other.view->outline.box().diagonal().norm();
           if (lacks > 0)
@@ -115,11 +113,11 @@ void swell(Carving& carving, bool mirrored_yield, double slack) {
 
 void swell_until_covered(Carving& carving) {
   if (carving.one_direction()) return;
-  swell(carving, false, 0);
+  swell(carving, false);
 }
 
 void swell_mirrored(Carving& carving) {
-  swell(carving, true, kSlack);
+  swell(carving, true);
 }
 
 }  // namespace artisketch

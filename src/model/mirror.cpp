@@ -10,6 +10,7 @@ namespace {
 constexpr double kTolerance = 1.5;   // pixels
 constexpr double kAgreement = 0.99;  // share of rays
 constexpr double kLikeness = 0.8;    // the same, where one side has what the other lacks
+constexpr double kLooser = 1;        // pixels about what is alike only: no creases for so little
 
 }  // namespace
 
@@ -68,6 +69,7 @@ Result<Carving> carving_with_mirrors(const Part& part, int cells) {
   for (Silhouette& view : all.views) {
     if (!view.view->mirrored && !keeps(&view)) return own;
     view.bounds_only = view.view->mirrored;
+    if (view.bounds_only) view.grown += kLooser;
   }
   return all;
 }
