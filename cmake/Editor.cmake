@@ -33,12 +33,11 @@ add_library(artisketch_imgui STATIC EXCLUDE_FROM_ALL
   "${ARTISKETCH_IMGUI_SOURCE}/imgui_tables.cpp"
   "${ARTISKETCH_IMGUI_SOURCE}/imgui_widgets.cpp"
   "${ARTISKETCH_IMGUI_SOURCE}/backends/imgui_impl_sdl2.cpp"
-  "${ARTISKETCH_IMGUI_SOURCE}/backends/imgui_impl_opengl3.cpp"
 )
 target_include_directories(artisketch_imgui SYSTEM PUBLIC "${ARTISKETCH_IMGUI_SOURCE}"
                            "${ARTISKETCH_IMGUI_SOURCE}/backends")
 target_compile_definitions(artisketch_imgui PUBLIC
-  IMGUI_IMPL_OPENGL_ES3 IMGUI_DISABLE_OBSOLETE_FUNCTIONS IMGUI_DISABLE_DEMO_WINDOWS
+  IMGUI_DISABLE_OBSOLETE_FUNCTIONS IMGUI_DISABLE_DEMO_WINDOWS
   IMGUI_DISABLE_DEBUG_TOOLS IMGUI_DISABLE_DEFAULT_FONT ImDrawIdx=unsigned)
 if(TARGET SDL2::SDL2)
   target_link_libraries(artisketch_imgui PUBLIC SDL2::SDL2)
@@ -87,6 +86,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/fonts.cpp
   src/editor/touch.cpp
   src/editor/damage.cpp
+  src/editor/list_painter.cpp
   src/editor/window.cpp
   src/editor/ui.cpp
   src/editor/commands.cpp

@@ -25,6 +25,10 @@ file(GLOB files CONFIGURE_DEPENDS src/files/*.cpp)
 set_source_files_properties(${files} src/app/cli.cpp src/app/job_bytes.cpp web/page_main.cpp
   web/browser.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 
+# What goes over all that is drawn, and over all of a model.
+set_source_files_properties(src/editor/damage.cpp src/editor/model_picture.cpp
+  PROPERTIES COMPILE_OPTIONS -O2)
+
 artisketch_web_module(editor createEditor web web/page_main.cpp web/browser.cpp)
 target_link_libraries(editor PRIVATE artisketch_editor artisketch::json)
 target_link_options(editor PRIVATE -Oz -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2)

@@ -4,7 +4,6 @@
 #include <emscripten.h>
 
 #include "app/job_worker.h"
-#include "model/part_cache.h"
 
 // clang-format off
 EM_JS(void, send_progress, (const char* bytes, std::size_t size), {
@@ -16,8 +15,7 @@ EM_JS(void, send_outcome, (const char* bytes, std::size_t size), {
 // clang-format on
 
 extern "C" EMSCRIPTEN_KEEPALIVE void serve(const char* request, std::size_t size) {
-  static artisketch::PartCache parts;  // this worker's, from one job to the next
   artisketch::serve_job(
-      {request, size}, &parts, [](const std::string& bytes) { send_progress(bytes.data(), bytes.size()); },
+      {request, size}, [](const std::string& bytes) { send_progress(bytes.data(), bytes.size()); },
       [](const std::string& bytes) { send_outcome(bytes.data(), bytes.size()); });
 }

@@ -8,11 +8,13 @@
 #include "files/gltf.h"
 #include "files/image_file.h"
 #include "files/report_file.h"
+#include "model/thinned.h"
 
 namespace artisketch {
 namespace {
 
 constexpr const char* kFaultsCallIt = "document";
+constexpr double kThinningError = 0.1;  // of a cell: far less than the grid's own
 
 // Fields of the finest parts take tens of megabytes; meshes and curves are what is looked at.
 void drop_fields(Trace& trace) {
@@ -69,37 +71,38 @@ Result<JobResult> run_calibration(const Document& document, const JobRequest& re
   return out;
 }
 
-Result<JobResult> run_parts(const Document& document, const JobRequest& request, Run& run,
-                            PartCache* cache) {
-  PipelineOptions options = request.options;
-  options.cache = cache;
+// What a part fails by becomes a warning.
+Result<JobResult> run_parts(const JobRequest& request, Run& run) {
+  const PipelineOptions& options = request.options;
   JobResult out;
-  Result<std::vector<PartSurface>> parts = part_surfaces(document, options, out.warnings, run);
-  if (!parts) return parts.error();
-  out.fits = measure_part_fit(document, *parts);
-  for (PartSurface& part : *parts) out.parts.push_back({part.joint, std::move(part.mesh)});
+  for (const Part& part : request.parts) {
+    PartMesh made;
+    made.joint = part.joint;
+    Result<PartSurface> surface =
+        reconstruct_part(part, {options.method, options.grid, options.visual_hull}, run);
+    if (run.cancelled()) return cancelled();
+    if (surface) {
+      made.mesh = thinned(surface->mesh, kThinningError * surface->distance.cell);
+      made.distances = view_distances(part, made.mesh);
+      for (const PartView& view : part.views) made.frames.push_back(view.frame);
+    } else {
+      const std::vector<std::string>& faults = surface.error().faults;
+      out.warnings.insert(out.warnings.end(), faults.begin(), faults.end());
+    }
+    out.parts.push_back(std::move(made));
+  }
   return out;
 }
 
-Result<JobResult> run_kind(const Document& document, const JobRequest& request, Run& run,
-                           PartCache* cache) {
-  switch (request.kind) {
-    case JobRequest::Kind::calibrate:
-      return run_calibration(document, request, run);
-    case JobRequest::Kind::parts:
-      return run_parts(document, request, run, cache);
-    case JobRequest::Kind::reconstruct:
-      break;
-  }
-  return run_reconstruction(document, request, run);
-}
-
-Result<JobResult> run_unguarded(const JobRequest& request, Run& run, PartCache* cache) {
+Result<JobResult> run_unguarded(const JobRequest& request, Run& run) {
+  if (request.kind == JobRequest::Kind::parts) return run_parts(request, run);
   const Result<Document> document = parse_document(request.document, kFaultsCallIt);
   if (!document) return document.error();
   Trace trace;
   if (request.trace) run.trace = &trace;
-  Result<JobResult> result = run_kind(*document, request, run, cache);
+  Result<JobResult> result = request.kind == JobRequest::Kind::calibrate
+                                 ? run_calibration(*document, request, run)
+                                 : run_reconstruction(*document, request, run);
   run.trace = nullptr;
   if (!result) return result;
   drop_fields(trace);
@@ -119,9 +122,9 @@ Error broke_off(const std::string& why) {
   return {Error::Kind::crashed, {"the computation broke off: " + why}};
 }
 
-Result<JobResult> run_job(const JobRequest& request, Run& run, PartCache* cache) {
+Result<JobResult> run_job(const JobRequest& request, Run& run) {
   try {
-    return run_unguarded(request, run, cache);
+    return run_unguarded(request, run);
   } catch (const std::bad_alloc&) {
     return out_of_memory(request.options.grid);
   } catch (const std::exception& thrown) {

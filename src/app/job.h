@@ -15,37 +15,40 @@ struct JobRequest {
   enum class Kind {
     reconstruct,  // a model, from calibrated poses if the options say so
     calibrate,    // poses alone
-    parts,        // the parts' surfaces at the document's poses, while it is edited
+    parts,        // some parts' surfaces, for a picture while their document is edited
   };
   Kind kind = Kind::reconstruct;
-  std::string document;  // as document_text writes it; drawings, where wanted, as data: URIs
+  std::string document;     // as document_text writes it; drawings, where wanted, as data: URIs
+  std::vector<Part> parts;  // in place of a document, where parts alone are wanted
   PipelineOptions
       options;         // of a calibration only the method counts; drawings come from `document`
   bool trace = false;  // keep intermediate meshes and curves
 };
 
+// A part for a picture: not one triangle more than its outlines need.
 struct PartMesh {
   int joint = 0;
-  Mesh mesh;  // rest space
+  Mesh mesh;                      // rest space; empty where the part failed
+  std::vector<int> frames;        // in which its contours are
+  std::vector<double> distances;  // from them, as of view_distances
 };
 
 struct JobResult {
   std::string document;                   // the document at the poses that were used
   std::string glb;                        // the model; empty for a calibration
   std::string report;                     // report_text
-  std::vector<FrameFit> fits;             // one per frame; empty for a calibration
+  std::vector<FrameFit> fits;             // of a model: one per frame
   std::vector<PartCoverage> coverage;     // empty where poses were not calibrated
   std::vector<JointSphere> spheres;       // that joined the parts
   std::vector<std::string> undetermined;  // angles that the silhouettes leave open, in words
   std::vector<std::string> warnings;
-  std::vector<PartMesh> parts;  // of a job for parts alone
+  std::vector<PartMesh> parts;  // of a job for parts alone, as the request has them
   Trace trace;                  // meshes and curves alone: fields are too large to hand over
 };
 
 // Does the job on this thread. Fails as the stages do, and on a document that cannot be read; lack
 // of memory and anything thrown become errors in words.
-//   cache  of the parts that jobs for parts alone make, kept from one to the next; may be null
-Result<JobResult> run_job(const JobRequest& request, Run& run, PartCache* cache = nullptr);
+Result<JobResult> run_job(const JobRequest& request, Run& run);
 
 // The faults of a job that broke off. `grid` is what was asked for: a coarser one is suggested.
 Error out_of_memory(int grid);

@@ -72,6 +72,41 @@ void field(Archive& a, Eigen::Matrix<Scalar, Eigen::Dynamic, 3, Eigen::RowMajor>
 }
 
 template <class Archive>
+void field(Archive& a, Vec2& v) {
+  a.raw(v.data(), 2 * sizeof(double));
+}
+
+template <class Archive, class T>
+void field(Archive& a, std::vector<T>& all);
+
+template <class Archive>
+void field(Archive& a, Bone& bone) {
+  field(a, bone.joint), field(a, bone.child), field(a, bone.a), field(a, bone.b);
+}
+
+template <class Archive>
+void field(Archive& a, Polyline& line) {
+  field(a, line.points), field(a, line.closed);
+}
+
+template <class Archive>
+void field(Archive& a, PartView& view) {
+  field(a, view.frame), field(a, view.mirrored);
+  Camera& camera = view.camera.camera;
+  field(a, camera.type), field(a, camera.pixels_per_unit), field(a, camera.focal_length);
+  field(a, camera.distance), field(a, view.camera.principal_point), field(a, view.camera.scale);
+  a.raw(view.to_world.data(), 16 * sizeof(double));
+  field(a, view.contours);
+  if constexpr (std::is_same_v<Archive, Reader>) view.outline = outline_of(view.contours);
+}
+
+template <class Archive>
+void field(Archive& a, Part& part) {
+  field(a, part.joint), field(a, part.name), field(a, part.views), field(a, part.mirrors);
+  field(a, part.bones), field(a, part.origin), field(a, part.fatness);
+}
+
+template <class Archive>
 void fields(Archive& a, PipelineOptions& o) {
   field(a, o.method), field(a, o.grid), field(a, o.calibrate), field(a, o.visual_hull);
   field(a, o.triangles), field(a, o.mirror);
@@ -79,16 +114,14 @@ void fields(Archive& a, PipelineOptions& o) {
 
 template <class Archive>
 void fields(Archive& a, JobRequest& r) {
-  field(a, r.kind), field(a, r.document), fields(a, r.options), field(a, r.trace);
+  field(a, r.kind), field(a, r.document), field(a, r.parts), fields(a, r.options),
+      field(a, r.trace);
 }
 
 template <class Archive>
 void fields(Archive& a, Progress& p) {
   field(a, p.stage), field(a, p.item), field(a, p.part), field(a, p.parts), field(a, p.fraction);
 }
-
-template <class Archive, class T>
-void field(Archive& a, std::vector<T>& all);
 
 template <class Archive>
 void field(Archive& a, FrameFit::PartFit& fit) {
@@ -117,7 +150,7 @@ void field(Archive& a, Mesh& mesh) {
 
 template <class Archive>
 void field(Archive& a, PartMesh& part) {
-  field(a, part.joint), field(a, part.mesh);
+  field(a, part.joint), field(a, part.mesh), field(a, part.frames), field(a, part.distances);
 }
 
 template <class Archive>

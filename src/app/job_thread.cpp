@@ -4,15 +4,7 @@
 #include <mutex>
 #include <thread>
 
-#include "model/part_cache.h"
-
 namespace artisketch {
-
-// The parts of one job serve the next. A thread that was asked to end may still hold them.
-struct ThreadJobs::Kept {
-  std::mutex guard;
-  PartCache parts;
-};
 
 struct ThreadJobs::Work {
   std::thread thread;
@@ -26,7 +18,7 @@ struct ThreadJobs::Work {
     cancel = true;
     thread.join();
   }
-  void run(const JobRequest& request, Kept& kept, const std::function<void()>& wake) {
+  void run(const JobRequest& request, const std::function<void()>& wake) {
     Run run;
     run.cancel = &cancel;
     run.on_progress = [this, &wake](const Progress& now) {
@@ -36,11 +28,7 @@ struct ThreadJobs::Work {
       }
       if (wake) wake();
     };
-    Result<JobResult> result = [&] {
-      if (request.kind != JobRequest::Kind::parts) return run_job(request, run);
-      const std::lock_guard lock(kept.guard);
-      return run_job(request, run, &kept.parts);
-    }();
+    Result<JobResult> result = run_job(request, run);
     {
       const std::lock_guard lock(guard);
       outcome = std::move(result);
@@ -50,8 +38,7 @@ struct ThreadJobs::Work {
   }
 };
 
-ThreadJobs::ThreadJobs(std::function<void()> wake)
-    : wake_(std::move(wake)), kept_(std::make_unique<Kept>()) {}
+ThreadJobs::ThreadJobs(std::function<void()> wake) : wake_(std::move(wake)) {}
 
 ThreadJobs::~ThreadJobs() {
   retire();
@@ -63,9 +50,8 @@ void ThreadJobs::start(JobRequest request) {
   cancelled_ = false;
   progress_ = {};
   work_ = std::make_unique<Work>();
-  work_->thread = std::thread([this, work = work_.get(), request = std::move(request)] {
-    work->run(request, *kept_, wake_);
-  });
+  work_->thread = std::thread(
+      [this, work = work_.get(), request = std::move(request)] { work->run(request, wake_); });
 }
 
 bool ThreadJobs::busy() const {

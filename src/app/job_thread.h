@@ -26,9 +26,7 @@ class ThreadJobs : public Jobs {
   void retire();  // asks the work under way to end, and lets go of it
   void sweep();   // joins what has ended
 
-  struct Kept;
   std::function<void()> wake_;
-  std::unique_ptr<Kept> kept_;                  // between jobs
   std::unique_ptr<Work> work_;                  // under way
   std::vector<std::unique_ptr<Work>> retired_;  // asked to end
   Progress progress_;                           // of work that is gone

@@ -47,8 +47,7 @@ void WorkerJobs::settle(Result<JobResult> outcome) {
   outcome_ = std::move(outcome);
 }
 
-void serve_job(std::string_view request, PartCache* cache,
-               const std::function<void(const std::string&)>& progress,
+void serve_job(std::string_view request, const std::function<void(const std::string&)>& progress,
                const std::function<void(const std::string&)>& outcome) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds kPace(30);
@@ -60,7 +59,7 @@ void serve_job(std::string_view request, PartCache* cache,
     progress(job_bytes(now));
   };
   const Result<JobRequest> wanted = read_job_request(request);
-  outcome(job_bytes(wanted ? run_job(*wanted, run, cache) : Result<JobResult>(wanted.error())));
+  outcome(job_bytes(wanted ? run_job(*wanted, run) : Result<JobResult>(wanted.error())));
 }
 
 }  // namespace artisketch

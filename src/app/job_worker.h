@@ -43,9 +43,7 @@ class WorkerJobs : public Jobs {
 
 // The worker's side: does the job of `request` and sends what progressed() and finished() take;
 // progress at most every 30 ms or so.
-//   cache  as run_job's: the worker's own
-void serve_job(std::string_view request, PartCache* cache,
-               const std::function<void(const std::string&)>& progress,
+void serve_job(std::string_view request, const std::function<void(const std::string&)>& progress,
                const std::function<void(const std::string&)>& outcome);
 
 }  // namespace artisketch

@@ -78,6 +78,7 @@ void paint_model(Work& work, const FrameCamera& camera, const OnScreen& on, cons
   const Eye eye = sketch_eye(camera, on.origin, on.zoom, place);
   PaintOptions options;
   options.dark = theme().dark;
+  options.rough = work.hurried;
   if (work.shows_parts()) options.surface = Surface::weights;
   show_model(shown, eye, options, work.over_sketch, work.view.layer().model_opacity, pixel_ratio);
 }

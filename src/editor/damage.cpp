@@ -62,19 +62,40 @@ std::vector<Rect> disjoint(std::vector<Rect> rects) {
   return apart;
 }
 
+// The triangles of a command that reach into a place.
+void add_within(const ImDrawList& list, const ImDrawCmd& command, const Rect& place,
+                ImVector<ImDrawIdx>& indices) {
+  const ImDrawVert* vertices = list.VtxBuffer.Data + command.VtxOffset;
+  const ImDrawIdx* corner = list.IdxBuffer.Data + command.IdxOffset;
+  for (unsigned i = 0; i < command.ElemCount; i += 3, corner += 3) {
+    const ImVec2 a = vertices[corner[0]].pos, b = vertices[corner[1]].pos,
+                 c = vertices[corner[2]].pos;
+    if (std::max({a.x, b.x, c.x}) < place.x || std::min({a.x, b.x, c.x}) > place.right() ||
+        std::max({a.y, b.y, c.y}) < place.y || std::min({a.y, b.y, c.y}) > place.bottom())
+      continue;
+    for (int k = 0; k < 3; ++k) indices.push_back(corner[k]);
+  }
+}
+
 // What of each list lies within the places; lists without any go.
 void keep_within(ImDrawData& data, const std::vector<Rect>& places) {
   ImVector<ImDrawList*> lists;
   for (ImDrawList* list : data.CmdLists) {
     ImVector<ImDrawCmd> commands;
+    ImVector<ImDrawIdx> indices;
     for (const ImDrawCmd& command : list->CmdBuffer)
       for (const Rect& place : places) {
         const Rect seen = common(clip_of(command), place);
         if (empty(seen)) continue;
-        commands.push_back(command);
-        commands.back().ClipRect = {seen.x, seen.y, seen.right(), seen.bottom()};
+        ImDrawCmd part = command;
+        part.ClipRect = {seen.x, seen.y, seen.right(), seen.bottom()};
+        part.IdxOffset = unsigned(indices.Size);
+        add_within(*list, command, seen, indices);
+        part.ElemCount = unsigned(indices.Size) - part.IdxOffset;
+        if (part.ElemCount > 0 || part.UserCallback) commands.push_back(part);
       }
     list->CmdBuffer.swap(commands);
+    list->IdxBuffer.swap(indices);
     if (!list->CmdBuffer.empty()) lists.push_back(list);
   }
   data.CmdLists.swap(lists);

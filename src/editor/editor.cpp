@@ -1,5 +1,6 @@
 #include "editor/editor.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -58,6 +59,16 @@ void greet(Work& work) {
   if (!work.examples.empty()) open_example(work, work.examples.front().name, true);
 }
 
+// Whether pictures are to be rough: from the first slow frame of a drag to its end.
+bool hurried(bool before) {
+  constexpr float kSlow = 1 / 25.0f;  // seconds
+  const ImGuiIO& io = ImGui::GetIO();
+  float held = -1;
+  for (const int button : {ImGuiMouseButton_Left, ImGuiMouseButton_Middle})
+    held = std::max(held, io.MouseDownDuration[button]);
+  return held >= 0 && (before || (io.DeltaTime > kSlow && held > io.DeltaTime));
+}
+
 void advance(Work& work) {
   View& view = work.view;
   if (!view.playing || !work.built || work.built->model.clips.empty()) return;
@@ -98,6 +109,7 @@ void Editor::frame(float width, float height, float pixel_ratio) {
   use_theme(work.view.dark ? dark_theme() : light_theme());
   parts_->widgets.clear();
   begin_controls(parts_->widgets);
+  work.hurried = hurried(work.hurried);
   collect_job(work);
   advance(work);
   const bool asking = work.question || work.view.help;

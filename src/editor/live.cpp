@@ -1,54 +1,55 @@
 #include "editor/live.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "document/edit.h"
 #include "editor/panels.h"
-#include "files/document_file.h"
+#include "model/part_inputs.h"
 
 namespace artisketch {
 namespace {
 
 constexpr int kGrid = 48;  // cells: coarse enough for a picture while the pointer moves
 
-// Parts don't depend on the drawings' pixels.
-std::string without_drawings(Document document) {
-  for (Frame& frame : document.frames) frame.image.clear();
-  return document_text(document);
-}
-
-void ask_for_parts(Work& work, const Document& document, bool of_proposal) {
-  JobRequest request;
-  request.kind = JobRequest::Kind::parts;
-  request.document = without_drawings(document);
-  request.options.grid = kGrid;
-  request.options.mirror = false;
-  work.running = request.kind;
-  work.running_revision = work.history.revision();
-  work.live.of_proposal = of_proposal;
-  work.jobs.start(std::move(request));
-}
-
 // The parts side by side, every vertex moved by its part's joint.
-Model rigid_model(const Document& document, const std::vector<PartMesh>& parts) {
+Model rigid_model(const Document& document, const std::vector<LivePart>& parts) {
   Model model;
   model.name = document.name;
   model.skeleton = document.skeleton;
   model.clips = clips_of(document);
   Eigen::Index vertices = 0, faces = 0;
-  for (const PartMesh& part : parts) vertices += part.mesh.V.rows(), faces += part.mesh.F.rows();
+  for (const LivePart& part : parts) {
+    vertices += part.made->mesh.V.rows();
+    faces += part.made->mesh.F.rows();
+  }
   model.mesh.V.resize(vertices, 3);
   model.mesh.F.resize(faces, 3);
   model.weights.joints.setZero(vertices, 4);
   model.weights.weights.setZero(vertices, 4);
   Eigen::Index v = 0, f = 0;
-  for (const PartMesh& part : parts) {
-    model.mesh.V.middleRows(v, part.mesh.V.rows()) = part.mesh.V;
-    model.mesh.F.middleRows(f, part.mesh.F.rows()) = part.mesh.F.array() + int(v);
-    model.weights.joints.col(0).segment(v, part.mesh.V.rows()).setConstant(part.joint);
-    model.weights.weights.col(0).segment(v, part.mesh.V.rows()).setOnes();
-    v += part.mesh.V.rows();
-    f += part.mesh.F.rows();
+  for (const LivePart& part : parts) {
+    const Mesh& mesh = part.made->mesh;
+    model.mesh.V.middleRows(v, mesh.V.rows()) = mesh.V;
+    model.mesh.F.middleRows(f, mesh.F.rows()) = mesh.F.array() + int(v);
+    model.weights.joints.col(0).segment(v, mesh.V.rows()).setConstant(part.made->joint);
+    model.weights.weights.col(0).segment(v, mesh.V.rows()).setOnes();
+    v += mesh.V.rows();
+    f += mesh.F.rows();
   }
   return model;
+}
+
+// By drawing, from what each part says of its own.
+std::vector<FrameFit> fits_of(const Document& document, const std::vector<LivePart>& parts) {
+  std::vector<FrameFit> fits(document.frames.size());
+  for (const LivePart& part : parts)
+    for (std::size_t v = 0; v < part.made->distances.size(); ++v) {
+      const std::size_t frame = std::size_t(part.made->frames[v]);
+      if (frame < fits.size() && std::isfinite(part.made->distances[v]))
+        fits[frame].parts.push_back({part.made->joint, part.made->distances[v]});
+    }
+  return fits;
 }
 
 // The document at the poses that the model was made at.
@@ -80,6 +81,58 @@ Document wanted(const Work& work) {
                              : work.document();
 }
 
+void take_proposals(Work& work) {
+  if (!work.proposal || work.proposal->revision != work.running_revision) return;
+  Proposal& proposal = *work.proposal;
+  proposal.parts = std::move(work.live.awaited);
+  proposal.fits = fits_of(proposal.document, proposal.parts);
+  if (!proposal.parts.empty())
+    proposal.model = std::make_shared<Built>(
+        built_of(rigid_model(proposal.document, proposal.parts), proposal.document));
+  work.live.marks_stale = true;
+}
+
+// What was awaited is there.
+void take_awaited(Work& work) {
+  Live& live = work.live;
+  if (live.of_proposal) return take_proposals(work);
+  live.revision = work.running_revision;
+  const bool more = live.awaited.size() != live.parts.size();
+  live.parts = std::move(live.awaited);
+  live.marks_stale = true;
+  const Document document = wanted(work);
+  live.fits = fits_of(document, live.parts);
+  live.model.reset();
+  if (live.parts.empty() || live.parts.back().made->joint >= document.skeleton.size()) return;
+  live.model = std::make_shared<Built>(built_of(rigid_model(document, live.parts), document));
+  if (more && !work.built) keep_in_view(work, live.model->model);
+}
+
+// Has those parts made that are not there yet, at a document's poses.
+void ask_for_parts(Work& work, const Document& document, bool of_proposal) {
+  Live& live = work.live;
+  JobRequest request;
+  request.kind = JobRequest::Kind::parts;
+  request.options.grid = kGrid;
+  const SurfaceOptions options{request.options.method, kGrid, false};
+  live.of_proposal = of_proposal;
+  live.awaited.clear();
+  for (Part& part : parts_of(document)) {
+    LivePart wanted{surface_inputs(part, options), nullptr};
+    const auto same = [&](const LivePart& have) { return have.inputs == wanted.inputs; };
+    const auto have = std::find_if(live.parts.begin(), live.parts.end(), same);
+    if (have != live.parts.end())
+      wanted.made = have->made;
+    else
+      request.parts.push_back(std::move(part));
+    live.awaited.push_back(std::move(wanted));
+  }
+  work.running = request.kind;
+  work.running_revision = work.history.revision();
+  if (request.parts.empty()) return take_awaited(work);
+  work.jobs.start(std::move(request));
+}
+
 }  // namespace
 
 void keep_live(Work& work) {
@@ -107,27 +160,13 @@ void take_parts(Work& work, Result<JobResult> outcome) {
     if (outcome.error().kind != Error::Kind::cancelled) live.revision = work.running_revision;
     return;
   }
-  if (live.of_proposal) {
-    if (!work.proposal || work.proposal->revision != work.running_revision) return;
-    Proposal& proposal = *work.proposal;
-    proposal.fits = std::move(outcome->fits);
-    proposal.parts = std::move(outcome->parts);
-    if (!proposal.parts.empty())
-      proposal.model = std::make_shared<Built>(
-          built_of(rigid_model(proposal.document, proposal.parts), proposal.document));
-    live.marks_stale = true;
-    return;
-  }
-  live.revision = work.running_revision;
-  const bool more = outcome->parts.size() != live.parts.size();
-  live.parts = std::move(outcome->parts);
-  live.fits = std::move(outcome->fits);
-  live.marks_stale = true;
-  const Document document = wanted(work);
-  live.model.reset();
-  if (live.parts.empty() || live.parts.back().joint >= document.skeleton.size()) return;
-  live.model = std::make_shared<Built>(built_of(rigid_model(document, live.parts), document));
-  if (more && !work.built) keep_in_view(work, live.model->model);
+  if (live.awaited.empty()) return;  // they were let go of meanwhile
+  // In the order of what was asked for; what has no surface has no triangles.
+  auto made = outcome->parts.begin();
+  for (LivePart& part : live.awaited)
+    if (!part.made && made != outcome->parts.end())
+      part.made = std::make_shared<const PartMesh>(std::move(*made++));
+  take_awaited(work);
 }
 
 const std::vector<PartMarks>& marks_of_drawing(Work& work) {
@@ -146,11 +185,12 @@ const std::vector<PartMarks>& marks_of_drawing(Work& work) {
   live.marks.clear();
   const std::vector<Transform> motions = skinning_transforms(work.document().skeleton, pose);
   const FrameCamera camera = frame_camera(work.document(), work.view.frame);
-  for (const PartMesh& part : theirs ? work.proposal->parts : live.parts) {
-    if (part.joint >= int(motions.size())) continue;
-    FitMarks marks = fit_marks(part.mesh, motions[std::size_t(part.joint)], camera, work.frame(),
-                               part.joint, kOff);
-    if (!marks.edge.empty()) live.marks.push_back({part.joint, std::move(marks)});
+  for (const LivePart& part : theirs ? work.proposal->parts : live.parts) {
+    const int joint = part.made->joint;
+    if (joint >= int(motions.size())) continue;
+    FitMarks marks =
+        fit_marks(part.made->mesh, motions[std::size_t(joint)], camera, work.frame(), joint, kOff);
+    if (!marks.edge.empty()) live.marks.push_back({joint, std::move(marks)});
   }
   return live.marks;
 }

@@ -9,6 +9,7 @@
 #include <GLES3/gl3.h>
 #include <imgui.h>
 
+#include "editor/shader.h"
 #include "files/marks.h"
 
 namespace artisketch {
@@ -73,20 +74,10 @@ struct Program {
   GLint clip, turn, use, line;
 };
 
-GLuint compiled(GLenum kind, const char* text) {
-  const GLuint shader = glCreateShader(kind);
-  glShaderSource(shader, 1, &text, nullptr);
-  glCompileShader(shader);
-  return shader;
-}
-
 const Program& program() {
   static const Program made = [] {
     Program p;
-    p.id = glCreateProgram();
-    glAttachShader(p.id, compiled(GL_VERTEX_SHADER, kVertex));
-    glAttachShader(p.id, compiled(GL_FRAGMENT_SHADER, kFragment));
-    glLinkProgram(p.id);
+    p.id = linked(kVertex, kFragment);
     p.clip = glGetUniformLocation(p.id, "clip");
     p.turn = glGetUniformLocation(p.id, "turn");
     p.use = glGetUniformLocation(p.id, "use");
@@ -136,13 +127,15 @@ void RenderTarget::release() {
   texture_ = 0;
 }
 
-void RenderTarget::begin(int width, int height) {
+void RenderTarget::begin(int width, int height, bool rough) {
   width = std::max(width, 1);
   height = std::max(height, 1);
-  if (!texture_ || width != width_ || height != height_) {
+  if (!texture_ || width != width_ || height != height_ || rough != rough_) {
     release();
     width_ = width;
     height_ = height;
+    rough_ = rough;
+    const int samples = rough ? 0 : kSamples;
     glGenTextures(1, &texture_);
     glBindTexture(GL_TEXTURE_2D, texture_);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
@@ -155,11 +148,10 @@ void RenderTarget::begin(int width, int height) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
     glGenRenderbuffers(1, &colour_);
     glBindRenderbuffer(GL_RENDERBUFFER, colour_);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GL_RGBA8, width, height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
     glGenRenderbuffers(1, &depth_);
     glBindRenderbuffer(GL_RENDERBUFFER, depth_);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GL_DEPTH_COMPONENT24, width,
-                                     height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, width, height);
     glGenFramebuffers(1, &smooth_);
     glBindFramebuffer(GL_FRAMEBUFFER, smooth_);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
@@ -191,7 +183,7 @@ bool Scene::stands_as(const Scene& other) const {
 bool Scene::operator==(const Scene& other) const {
   const auto key = [](const Scene& s) {
     return std::tuple(s.model, s.options.surface, s.options.joint, s.options.ground, s.options.dark,
-                      s.width, s.height);
+                      s.options.rough, s.width, s.height);
   };
   return key(*this) == key(other) && clip == other.clip && turn == other.turn && stands_as(other);
 }
@@ -347,7 +339,7 @@ void ModelPicture::paint(const Model& model, const Eye& eye, const PaintOptions&
   picture.shows = next_;
   move_vertices(model, next_);
   colour_vertices(model, options);
-  picture.begin(next_.width, next_.height);
+  picture.begin(next_.width, next_.height, options.rough);
   const Program& p = program();
   glUseProgram(p.id);
   const Eigen::Matrix4f clip = eye.clip.cast<float>();

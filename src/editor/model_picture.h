@@ -14,6 +14,7 @@ struct PaintOptions {
   Surface surface = Surface::textured;
   int joint = -1;       // weights of this joint alone; −1: all, in their colours
   bool ground = false;  // a grid at y = 0
+  bool rough = false;   // with jagged edges, for machines that paint slowly
   bool dark = true;
 };
 
@@ -38,7 +39,7 @@ class RenderTarget {
   RenderTarget(const RenderTarget&) = delete;
   RenderTarget& operator=(const RenderTarget&) = delete;
   ~RenderTarget();
-  void begin(int width, int height);  // clears it
+  void begin(int width, int height, bool rough);  // clears it
   void end();
   unsigned texture() const { return texture_; }
 
@@ -50,6 +51,7 @@ class RenderTarget {
  private:
   void release();
   int width_ = 0, height_ = 0;
+  bool rough_ = false;
   unsigned texture_ = 0, resolve_ = 0, smooth_ = 0, colour_ = 0, depth_ = 0;
 };
 

@@ -225,6 +225,7 @@ void model_view(Work& work, const Layout& layout, float pixel_ratio) {
     options.joint = -1;
   }
   options.ground = true;
+  options.rough = work.hurried;
   options.dark = t.dark;
   show_model(*shown, eye, options, work.model_seen, 1, pixel_ratio,
              layout.tablet ? kRadiusPanel : 0);

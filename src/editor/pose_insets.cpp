@@ -90,6 +90,7 @@ void side_view(Work& work, const Rect& place, float pixel_ratio) {
     shown->picture->pose(pose, Vec3::Zero());
     PaintOptions options;
     options.surface = Surface::shaded;
+    options.rough = work.hurried;
     show_model(*shown, eye, options, work.model_beside, 0.34f, pixel_ratio, kRadiusPanel);
   }
   std::vector<ImVec2> at;

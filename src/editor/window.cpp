@@ -7,7 +7,6 @@
 #include <GLES3/gl3.h>
 #include <SDL.h>
 #include <imgui.h>
-#include <imgui_impl_opengl3.h>
 #include <imgui_impl_sdl2.h>
 #include <imgui_internal.h>
 
@@ -51,7 +50,6 @@ Result<Window> Window::open(const std::string& title, int width, int height) {
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   io.MouseDragThreshold = 4;
   ImGui_ImplSDL2_InitForOpenGL(window.window_, window.context_);
-  ImGui_ImplOpenGL3_Init("#version 300 es");
   return window;
 }
 
@@ -62,11 +60,12 @@ Window::Window(Window&& other) noexcept
       context_(std::exchange(other.context_, nullptr)),
       stirred_(other.stirred_),
       damage_(std::move(other.damage_)),
+      painter_(std::move(other.painter_)),
       pointer_(other.pointer_) {}
 
 Window::~Window() {
   if (context_ && ImGui::GetCurrentContext()) {
-    ImGui_ImplOpenGL3_Shutdown();
+    painter_.release();
     ImGui_ImplSDL2_Shutdown();
     ImGui::DestroyContext();
   }
@@ -134,10 +133,10 @@ void Window::draw(Editor& editor) {
   pixels_wide_ = pixels_wide;
   pixels_high_ = pixels_high;
   if (fit_fonts(ratio)) {
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    painter_.drop_fonts();
     afresh = true;
   }
-  ImGui_ImplOpenGL3_NewFrame();
+  painter_.load_fonts();
   ImGui_ImplSDL2_NewFrame();
   // The back end asks SDL for the pointer on the whole screen, which goes stale on X servers that
   // send no raw events (VNC, Xvfb).
@@ -161,7 +160,7 @@ void Window::draw(Editor& editor) {
   }
   glDisable(GL_SCISSOR_TEST);
   if (!changed.empty()) {
-    ImGui_ImplOpenGL3_RenderDrawData(&data);
+    painter_.paint(data, pixels_wide, pixels_high);
     SDL_GL_SwapWindow(window_);
   }
   // Fast typing: ImGui takes one key a frame, and keeps the others for the next.

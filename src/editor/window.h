@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "editor/damage.h"
+#include "editor/list_painter.h"
 #include "editor/touch.h"
 
 struct SDL_Window;
@@ -45,6 +46,7 @@ class Window {
   void* context_ = nullptr;
   bool stirred_ = true;
   Damage damage_;
+  ListPainter painter_;
   int pixels_wide_ = 0, pixels_high_ = 0;  // of the frame drawn last
   Touch touch_;
   std::optional<std::pair<float, float>> pointer_;  // where it is over the window

@@ -51,10 +51,17 @@ struct PartMarks {
   FitMarks marks;
 };
 
-// The parts as the document has them by now, coarse and apart (live.h).
+// A part as the document has it by now, coarse and on its own.
+struct LivePart {
+  std::string inputs;                    // all that it is made of (surface_inputs)
+  std::shared_ptr<const PartMesh> made;  // null until it is there
+};
+
+// The parts (live.h).
 struct Live {
   std::shared_ptr<Built> model;
-  std::vector<PartMesh> parts;
+  std::vector<LivePart> parts;
+  std::vector<LivePart> awaited;  // as they will be; those that are being made have nothing yet
   std::vector<FrameFit> fits;
   long revision = -1;           // that they were made from
   bool of_proposal = false;     // what is under way: the proposal's fit rather than the parts
@@ -79,7 +86,7 @@ struct Proposal {
   std::vector<PartCoverage> coverage;
   // At the calibrated poses; nothing until they are made.
   std::vector<FrameFit> fits;
-  std::vector<PartMesh> parts;
+  std::vector<LivePart> parts;
   std::shared_ptr<Built> model;
   std::vector<bool> taken;  // per joint
   bool shown = true;        // the calibrated pose rather than the person's own
@@ -237,6 +244,7 @@ struct Work {
   Gesture gesture;
   Naming naming;
   Fingers fingers;
+  bool hurried = false;  // something is dragged, and the machine paints too slowly to follow
   int model_joint = -1;      // of the result, while it is dragged
   bool sphere_rim = false;   // it is its sphere's rim
   double fatness_from = 1;   // as the drag found it

@@ -9,6 +9,13 @@ Ray PartView::ray(const Vec2& pixel) const {
   return {to_rest * world.origin, to_rest.linear() * world.direction};
 }
 
+PolygonDistance outline_of(const std::vector<Polyline>& contours) {
+  std::vector<std::vector<Vec2>> closed;
+  for (const Polyline& line : contours)
+    if (line.closed) closed.push_back(line.points);
+  return PolygonDistance(closed);
+}
+
 std::vector<Part> parts_of(const Document& document) {
   const std::vector<Vec3> rest = rest_positions(document.skeleton);
   const std::vector<Bone> all_bones = bones(document.skeleton);
@@ -32,10 +39,7 @@ std::vector<Part> parts_of(const Document& document) {
       view.frame = f;
       view.camera = frame_camera(document, f);
       view.to_world = to_world[f][joint];
-      std::vector<std::vector<Vec2>> closed;
-      for (const Polyline& line : view.contours)
-        if (line.closed) closed.push_back(line.points);
-      view.outline = PolygonDistance(closed);
+      view.outline = outline_of(view.contours);
       part.views.push_back(std::move(view));
     }
     parts.push_back(std::move(part));

@@ -2,7 +2,6 @@
 // part, make them one skin, bind that to the skeleton.
 #include "base/blocking.h"
 #include "model/mirror.h"
-#include "model/part_cache.h"
 #include "model/stage_clock.h"
 #include "model/stages.h"
 
@@ -13,37 +12,7 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& from) 
   to.insert(to.end(), from.begin(), from.end());
 }
 
-Result<PartSurface> surface_of(const Part& part, const PipelineOptions& options, Run& run) {
-  const SurfaceOptions wanted{options.method, options.grid, options.visual_hull};
-  return options.cache ? options.cache->surface(part, wanted, run)
-                       : reconstruct_part(part, wanted, run);
-}
-
 }  // namespace
-
-Result<std::vector<PartSurface>> part_surfaces(const Document& document,
-                                               const PipelineOptions& options,
-                                               std::vector<std::string>& warnings, Run& run) {
-  fix_blocking();
-  std::vector<StageTime> times;
-  StageClock stages(run, times);
-  stages.start("parts", 0, 1);
-  std::vector<Part> parts = parts_of(document);
-  if (options.mirror) add_mirrored_views(document, parts);
-  std::vector<PartSurface> surfaces;
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    stages.part(parts[p].name, int(p), int(parts.size()), 0, 1);
-    Result<PartSurface> surface = surface_of(parts[p], options, run);
-    if (run.cancelled()) return cancelled();
-    if (!surface) {
-      append(warnings, surface.error().faults);
-      continue;
-    }
-    append(warnings, surface->warnings);
-    surfaces.push_back(std::move(*surface));
-  }
-  return surfaces;
-}
 
 Result<Reconstruction> reconstruct(const Document& document, const PipelineOptions& options,
                                    Run& run) {
@@ -68,7 +37,8 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   double cells = 0, part_vertices = 0;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     stages.part(parts[p].name, int(p), int(parts.size()), 0.3, 0.8);
-    Result<PartSurface> surface = surface_of(parts[p], options, run);
+    Result<PartSurface> surface =
+        reconstruct_part(parts[p], {options.method, options.grid, options.visual_hull}, run);
     if (!surface) return surface.error();
     append(out.warnings, surface->warnings);
     cells += double(surface->distance.values.size());

@@ -77,18 +77,16 @@ double silhouette_overlap(const Document& document, int frame, const Model& mode
   return intersection_over_union(posed, drawn);
 }
 
-// Sketch pixels between the outline of a part and its contours; +infinity where there is nothing
-// to compare.
+// Sketch pixels between the outline of a part and its contours within a room of the sketch;
+// +infinity where there is nothing to compare.
 double contour_distance(const Polygons& contours, const std::vector<Vec2>& pixels,
-                        const Triangles& F, const Frame& frame, double per_pixel) {
+                        const Triangles& F, const Box2& room, double per_pixel) {
   Box2 box;
   for (const std::vector<Vec2>& polygon : contours)
     for (const Vec2& p : polygon) box.extend(p);
   for (const Vec2& p : pixels)
     if (p.allFinite()) box.extend(p);
-  // What projects far off the sketch is off by far, wherever it ends.
-  const Vec2 size(frame.width, frame.height);
-  box = box.intersection(Box2(-size, 2 * size));
+  box = box.intersection(room);
   if (box.isEmpty()) return std::numeric_limits<double>::infinity();
   const Window window(
       Box2(box.min() - Vec2::Constant(kMargin), box.max() + Vec2::Constant(kMargin)), per_pixel);
@@ -99,8 +97,11 @@ double contour_distance(const Polygons& contours, const std::vector<Vec2>& pixel
 }
 
 std::vector<FrameFit::PartFit> part_fits(const Document& document, int frame,
-                                         std::span<const PartSurface> parts, double per_pixel) {
+                                         std::span<const PartSurface> parts) {
   const Frame& f = document.frames[frame];
+  // What projects far off the sketch is off by far, wherever it ends.
+  const Vec2 size(f.width, f.height);
+  const Box2 room(-size, 2 * size);
   const std::vector<Transform> motions = skinning_transforms(document.skeleton, f.pose);
   std::vector<FrameFit::PartFit> fits;
   for (const PartSurface& part : parts) {
@@ -108,7 +109,7 @@ std::vector<FrameFit::PartFit> part_fits(const Document& document, int frame,
     if (contours.empty()) continue;
     const auto pixels =
         projected(moved(part.mesh.V, motions[part.joint]), frame_camera(document, frame));
-    const double distance = contour_distance(contours, pixels, part.mesh.F, f, per_pixel);
+    const double distance = contour_distance(contours, pixels, part.mesh.F, room, kPerPixel);
     if (std::isfinite(distance)) fits.push_back({part.joint, distance});
   }
   return fits;
@@ -120,17 +121,23 @@ std::vector<FrameFit> measure_fit(const Document& calibrated, const Model& model
                                   std::span<const PartSurface> parts) {
   std::vector<FrameFit> fits;
   for (int f = 0; f < int(calibrated.frames.size()); ++f)
-    fits.push_back(
-        {silhouette_overlap(calibrated, f, model), part_fits(calibrated, f, parts, kPerPixel)});
+    fits.push_back({silhouette_overlap(calibrated, f, model), part_fits(calibrated, f, parts)});
   return fits;
 }
 
-std::vector<FrameFit> measure_part_fit(const Document& document,
-                                       std::span<const PartSurface> parts) {
-  std::vector<FrameFit> fits;
-  for (int f = 0; f < int(document.frames.size()); ++f)
-    fits.push_back({0, part_fits(document, f, parts, 0.5)});
-  return fits;
+std::vector<double> view_distances(const Part& part, const Mesh& mesh) {
+  std::vector<double> distances;
+  for (const PartView& view : part.views) {
+    Polygons contours;
+    for (const Polyline& line : view.contours)
+      if (line.closed) contours.push_back(line.points);
+    // What lies farther off than this is off by far, wherever it ends.
+    const Vec2 reach = Vec2::Constant(view.seen() ? view.outline.box().diagonal().norm() : 0);
+    const Box2 room(view.outline.box().min() - reach, view.outline.box().max() + reach);
+    distances.push_back(contour_distance(
+        contours, projected(moved(mesh.V, view.to_world), view.camera), mesh.F, room, 0.5));
+  }
+  return distances;
 }
 
 }  // namespace artisketch

@@ -93,6 +93,9 @@ struct Part {
   double fatness = 1;
 };
 
+// The view's outline, from its contours.
+PolygonDistance outline_of(const std::vector<Polyline>& contours);
+
 // The drawn parts of a document at its poses, in joint order.
 std::vector<Part> parts_of(const Document& document);
 
@@ -242,8 +245,6 @@ Result<Model> textured(const Document& calibrated, std::span<const Picture> draw
 
 // ---------------------------------------------------------------- the whole
 
-class PartCache;
-
 struct PipelineOptions {
   Method method = kDefaultMethod;
   int grid = 100;
@@ -252,7 +253,6 @@ struct PipelineOptions {
   int triangles = 15000;          // of the model, about
   bool mirror = true;             // joints see their mirror images' contours, where these agree
   std::vector<Picture> drawings;  // one per frame, to colour the model with; none: plain
-  PartCache* cache = nullptr;  // keeps the parts' surfaces from one run to the next (part_cache.h)
 };
 
 struct StageTime {
@@ -283,19 +283,12 @@ struct Reconstruction {
 Result<Reconstruction> reconstruct(const Document& document, const PipelineOptions& options,
                                    Run& run);
 
-// The parts alone, at the document's own poses, for a picture while it is edited: no calibration,
-// no skin. What a part fails by becomes a warning, and the part is left out. Fails only if
-// cancelled.
-Result<std::vector<PartSurface>> part_surfaces(const Document& document,
-                                               const PipelineOptions& options,
-                                               std::vector<std::string>& warnings, Run& run);
-
 // How well a posed model fits the drawings (rasterised at twice the sketch's resolution).
 std::vector<FrameFit> measure_fit(const Document& calibrated, const Model& model,
                                   std::span<const PartSurface> parts);
 
-// The parts alone, fast: at half the sketch's resolution; iou stays 0.
-std::vector<FrameFit> measure_part_fit(const Document& document,
-                                       std::span<const PartSurface> parts);
+// The symmetric mean contour distance of a part's mesh in each of its views, fast: at half the
+// sketch's resolution. Pixels; +infinity where there is nothing to compare.
+std::vector<double> view_distances(const Part& part, const Mesh& mesh);
 
 }  // namespace artisketch

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/part_inputs.h"
+
 namespace artisketch {
 namespace {
 
@@ -19,7 +21,7 @@ JobResult full_result() {
   triangle.V = Points3::Identity(3, 3);
   triangle.F.resize(1, 3);
   triangle.F << 0, 1, 2;
-  result.parts = {{5, triangle}};
+  result.parts = {{5, triangle, {0, 2}, {1.5, 2.5}}};
   result.trace.add("arm/surface", triangle);
   result.trace.add("arm/hull", Grid3<float>(Vec3::Zero(), 1, Index3(2, 2, 2)));
   result.trace.add("arm/rims", Curves{{Vec3(0, 0, 1), Vec3(0, 1, 0)}, {}});
@@ -48,6 +50,33 @@ TEST(JobBytes, RequestSurvives) {
   EXPECT_EQ(back->options.triangles, 1234);
   EXPECT_FALSE(back->options.mirror);
   EXPECT_TRUE(back->trace);
+}
+
+TEST(JobBytes, PartsOfARequestSurvive) {
+  Part part;
+  part.joint = 3;
+  part.name = "hand.R";
+  part.bones = {{3, 4, Vec3(1, 2, 3), Vec3(4, 5, 6)}};
+  part.origin = Vec3(7, 8, 9);
+  part.fatness = 1.25;
+  PartView view;
+  view.frame = 2;
+  view.camera = {{Camera::Type::perspective, 90, 800, 7}, Vec2(300, 200), 1.5};
+  view.to_world.translate(Vec3(0.5, 0, 0)).rotate(Eigen::AngleAxisd(0.3, Vec3::UnitY()));
+  view.contours = {{{{10, 10}, {90, 20}, {40, 70}}, true}, {{{0, 0}, {5, 5}}, false}};
+  view.outline = outline_of(view.contours);
+  part.views = {view};
+  view.mirrored = true;
+  part.mirrors = {view};
+  JobRequest request;
+  request.kind = JobRequest::Kind::parts;
+  request.parts = {part};
+  const auto back = read_job_request(job_bytes(request));
+  ASSERT_TRUE(back);
+  ASSERT_EQ(back->parts.size(), 1u);
+  EXPECT_EQ(surface_inputs(back->parts[0], {}), surface_inputs(part, {}));
+  const Vec2 at(35, 30);
+  EXPECT_EQ(back->parts[0].views[0].outline.distance(at), part.views[0].outline.distance(at));
 }
 
 TEST(JobBytes, ProgressSurvives) {
@@ -84,6 +113,8 @@ TEST(JobBytes, ResultSurvivesButForTheTracesFields) {
   EXPECT_EQ(back->parts[0].joint, 5);
   EXPECT_EQ(back->parts[0].mesh.V, made.parts[0].mesh.V);
   EXPECT_EQ(back->parts[0].mesh.F, made.parts[0].mesh.F);
+  EXPECT_EQ(back->parts[0].frames, made.parts[0].frames);
+  EXPECT_EQ(back->parts[0].distances, made.parts[0].distances);
   ASSERT_EQ(back->trace.entries.size(), 2u);
   EXPECT_EQ(back->trace.entries[0].name, "arm/surface");
   EXPECT_EQ(std::get<Mesh>(back->trace.entries[0].what).V, Points3::Identity(3, 3));

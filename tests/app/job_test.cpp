@@ -7,7 +7,6 @@
 #include "files/bytes.h"
 #include "files/document_file.h"
 #include "files/gltf.h"
-#include "model/part_cache.h"
 
 namespace artisketch {
 namespace {
@@ -47,49 +46,50 @@ TEST(Job, MakesWhatReconstructMakes) {
   EXPECT_NE(job->report.find("\"stages\""), std::string::npos);
 }
 
-TEST(Job, PartsAloneAreMadeAnewOnlyWhereSomethingChanged) {
+TEST(Job, PartsAloneComeAsTheyWereAskedForAndSayHowTheyFit) {
+  const Document document = *parse_document(example_text("hero"), "hero");
   JobRequest request;
   request.kind = Kind::parts;
-  request.document = example_text("hero");
+  request.parts = parts_of(document);
+  std::swap(request.parts.front(), request.parts.back());
   request.options.grid = 32;
-  request.options.mirror = false;
-  PartCache cache;
   artisketch::Run run;
-  const auto whole = run_job(request, run, &cache);
-  ASSERT_TRUE(whole);
-  Document document = *parse_document(request.document, "hero");
-  const int parts = int(drawn_joints(document).size());
-  EXPECT_EQ(int(whole->parts.size()), parts);
-  EXPECT_EQ(cache.made(), parts);
-  ASSERT_EQ(whole->fits.size(), document.frames.size());
-  EXPECT_EQ(int(whole->fits[0].parts.size()), parts);
-  EXPECT_TRUE(whole->glb.empty());
-
-  Contour& moved = document.frames[0].contours[2];
-  for (Vec2& p : moved.line.points) p.x() += 3;
-  request.document = document_text(document);
-  const auto again = run_job(request, run, &cache);
-  ASSERT_TRUE(again);
-  EXPECT_EQ(cache.made(), parts + 1);
-  for (std::size_t p = 0; p < whole->parts.size(); ++p) {
-    const Points3 &before = whole->parts[p].mesh.V, &after = again->parts[p].mesh.V;
-    const bool same = before.rows() == after.rows() && before == after;
-    EXPECT_EQ(same, whole->parts[p].joint != moved.joint);
+  const auto job = run_job(request, run);
+  ASSERT_TRUE(job);
+  EXPECT_TRUE(job->glb.empty());
+  ASSERT_EQ(job->parts.size(), request.parts.size());
+  for (std::size_t p = 0; p < job->parts.size(); ++p) {
+    const Part& wanted = request.parts[p];
+    const PartMesh& made = job->parts[p];
+    EXPECT_EQ(made.joint, wanted.joint);
+    const auto whole = reconstruct_part(wanted, {kDefaultMethod, 32, false}, run);
+    ASSERT_TRUE(whole);
+    EXPECT_GT(made.mesh.F.rows(), 0);
+    EXPECT_LT(made.mesh.F.rows(), 0.7 * whole->mesh.F.rows());
+    ASSERT_EQ(made.distances.size(), wanted.views.size());
+    const std::vector<double> before = view_distances(wanted, whole->mesh);
+    for (std::size_t v = 0; v < wanted.views.size(); ++v) {
+      EXPECT_EQ(made.frames[v], wanted.views[v].frame);
+      EXPECT_NEAR(made.distances[v], before[v], 0.3) << "pixels";
+    }
   }
 }
 
-TEST(Job, APartThatFailsIsLeftOutWithAWarning) {
+TEST(Job, APartThatFailsIsLeftEmptyWithAWarning) {
   JobRequest request = heart(Kind::parts);
   Document document = *parse_document(request.document, "heart");
   document.skeleton.joints.push_back({"lost", 0, Vec3(0, 0.1, 0), -1, ""});
   for (Frame& frame : document.frames) frame.pose.rotations.push_back(Quat::Identity());
   document.frames[0].contours.push_back({1, {{{10, 10}, {20, 10}, {20, 20}}, false}, ""});
-  request.document = document_text(document);
+  request.parts = parts_of(document);
   artisketch::Run run;
   const auto job = run_job(request, run);
   ASSERT_TRUE(job);
-  ASSERT_EQ(job->parts.size(), 1u);
-  EXPECT_EQ(job->parts[0].joint, 0);
+  ASSERT_EQ(job->parts.size(), 2u);
+  EXPECT_GT(job->parts[0].mesh.F.rows(), 0);
+  EXPECT_EQ(job->parts[1].joint, 1);
+  EXPECT_EQ(job->parts[1].mesh.F.rows(), 0);
+  EXPECT_TRUE(job->parts[1].distances.empty());
   EXPECT_FALSE(job->warnings.empty());
 }
 

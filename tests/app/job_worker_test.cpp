@@ -4,7 +4,6 @@
 
 #include "app/job_bytes.h"
 #include "files/bytes.h"
-#include "model/part_cache.h"
 
 namespace artisketch {
 namespace {
@@ -12,7 +11,6 @@ namespace {
 struct WorkerJobsTest : testing::Test {
   std::vector<std::string> posted;
   int restarts = 0;
-  PartCache parts;
   WorkerJobs jobs{
       {[this](const std::string& bytes) { posted.push_back(bytes); }, [this] { ++restarts; }}};
 
@@ -26,7 +24,7 @@ struct WorkerJobsTest : testing::Test {
   // Does what was posted last, as the worker would.
   void serve() {
     serve_job(
-        posted.back(), &parts, [this](const std::string& bytes) { jobs.progressed(bytes); },
+        posted.back(), [this](const std::string& bytes) { jobs.progressed(bytes); },
         [this](const std::string& bytes) { jobs.finished(bytes); });
   }
   Error error() {

@@ -1,4 +1,4 @@
-#include "model/part_cache.h"
+#include "model/part_inputs.h"
 
 #include <type_traits>
 
@@ -66,20 +66,6 @@ std::string surface_inputs(const Part& part, const SurfaceOptions& options) {
     for (const PartView& view : *views) bytes.add(view);
   }
   return bytes.take();
-}
-
-Result<PartSurface> PartCache::surface(const Part& part, const SurfaceOptions& options, Run& run) {
-  std::string inputs = surface_inputs(part, options);
-  const auto kept = kept_.find(part.joint);
-  if (kept != kept_.end() && kept->second.inputs == inputs && !run.trace) {
-    run.report(1);
-    return kept->second.surface;
-  }
-  Result<PartSurface> made = reconstruct_part(part, options, run);
-  if (!made) return made;
-  ++made_;
-  kept_[part.joint] = {std::move(inputs), *made};
-  return made;
 }
 
 }  // namespace artisketch
