@@ -257,23 +257,16 @@ void SampledDistance::take_signs(const PolygonDistance& exact) {
   }
 }
 
-double SampledDistance::distance(const Vec2& p, Vec2& gradient) const {
+double SampledDistance::distance_beyond(const Vec2& p, Vec2& gradient) const {
   if (values_.empty()) {
     gradient.setZero();
     return std::numeric_limits<double>::infinity();
   }
   const double rx = (p.x() - origin_.x()) * per_pixel_, ry = (p.y() - origin_.y()) * per_pixel_;
   const double ax = std::clamp(rx, 0.0, nx_ - 1.001), ay = std::clamp(ry, 0.0, ny_ - 1.001);
-  const int x = int(ax), y = int(ay);
-  const double wx = ax - x, wy = ay - y;
-  const float* v = &values_[std::size_t(y) * nx_ + x];
-  const double v00 = v[0], v10 = v[1], v01 = v[nx_], v11 = v[nx_ + 1];
-  const double low = v00 + wx * (v10 - v00), high = v01 + wx * (v11 - v01);
-  gradient.x() = ((1 - wy) * (v10 - v00) + wy * (v11 - v01)) * per_pixel_;
-  gradient.y() = (high - low) * per_pixel_;
-  const double value = low + wy * (high - low);
+  const double value = interpolated(ax, ay, gradient);
   if (rx == ax && ry == ay) return value;
-  // Beyond the border: as far as from the point that is nearest to the border's.
+  // As far as from the point that is nearest to the border's.
   const Vec2 away = Vec2(rx - ax, ry - ay) / per_pixel_ + value * gradient.normalized();
   const double way = away.norm();
   gradient = away / way;

@@ -50,12 +50,12 @@ class SampledDistance {
   SampledDistance() = default;
   SampledDistance(const PolygonDistance& exact, double per_pixel, double margin);
 
+  // Here since searches along rays do little else.
   double distance(const Vec2& p) const {
-    // Here since searches along rays do little else.
     const double x = (p.x() - origin_.x()) * per_pixel_, y = (p.y() - origin_.y()) * per_pixel_;
     if (!(x >= 0 && y >= 0 && x < nx_ - 1.001 && y < ny_ - 1.001)) {
       Vec2 gradient;
-      return distance(p, gradient);
+      return distance_beyond(p, gradient);
     }
     const int i = int(x), j = int(y);
     const double wx = x - i, wy = y - j;
@@ -63,10 +63,28 @@ class SampledDistance {
     const double low = v[0] + wx * (v[1] - v[0]), high = v[nx_] + wx * (v[nx_ + 1] - v[nx_]);
     return low + wy * (high - low);
   }
-  double distance(const Vec2& p, Vec2& gradient) const;
+  double distance(const Vec2& p, Vec2& gradient) const {
+    const double x = (p.x() - origin_.x()) * per_pixel_, y = (p.y() - origin_.y()) * per_pixel_;
+    if (!(x >= 0 && y >= 0 && x < nx_ - 1.001 && y < ny_ - 1.001))
+      return distance_beyond(p, gradient);
+    return interpolated(x, y, gradient);
+  }
   bool empty() const { return values_.empty(); }
 
  private:
+  // At x, y in samples, within the raster.
+  double interpolated(double x, double y, Vec2& gradient) const {
+    const int i = int(x), j = int(y);
+    const double wx = x - i, wy = y - j;
+    const float* v = &values_[std::size_t(j) * nx_ + i];
+    const double v00 = v[0], v10 = v[1], v01 = v[nx_], v11 = v[nx_ + 1];
+    const double low = v00 + wx * (v10 - v00), high = v01 + wx * (v11 - v01);
+    gradient.x() = ((1 - wy) * (v10 - v00) + wy * (v11 - v01)) * per_pixel_;
+    gradient.y() = (high - low) * per_pixel_;
+    return low + wy * (high - low);
+  }
+  double distance_beyond(const Vec2& p, Vec2& gradient) const;  // the raster's border
+
   struct Nearest;  // per sample, the nearest known point of the lines
   void seed(const PolygonDistance& exact, Nearest& nearest) const;
   void propagate(Nearest& nearest) const;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kRays = 64;               // tested per outline
 constexpr double kMostSwelling = 0.03;  // of the outline's diagonal
+constexpr double kMostGiven = 0.1;      // the same, of a mirrored outline
 constexpr double kWidth = 12;           // of a swelling, times its height: a gentle one
 
 std::vector<const Silhouette*> all_but(const Carving& carving, const Silhouette* out) {
@@ -77,20 +78,27 @@ double coverage(const Silhouette& outline, const std::vector<const Silhouette*>&
   return all ? double(met) / all : 1;
 }
 
-void swell_until_covered(Carving& carving) {
-  if (carving.one_direction()) return;
+namespace {
+
+// Rays of the outlines (of the own ones, if just the mirrored yield) come inside all others.
+void swell(Carving& carving, bool mirrored_yield) {
+  const auto asks = [&](const Silhouette& s) { return !mirrored_yield || !s.view->mirrored; };
+  const auto yields = [&](const Silhouette& s) { return !mirrored_yield || s.view->mirrored; };
   std::vector<std::vector<DistanceRaster::Swelling>> swellings(carving.views.size());
   for (const Silhouette& view : carving.views) {
+    if (!asks(view)) continue;
     const auto others = all_but(carving, &view);
     for (const RayRim& line : outline_rays(view, kRays))
       for (const RimRay& ray : line.rays) {
         const Miss found = miss(ray.ray, others, carving.room, 0);
+        if (!(found.distance > 0)) continue;
         // Every outline that it passes there must give way, each by what it lacks.
         for (const Silhouette& other : carving.views) {
-          if (&other == &view || !(found.distance > 0)) continue;
+          if (&other == &view || !yields(other)) continue;
           const double lacks =
               other.distance(found.point) * other.view->pixels_per_unit(found.point);
-          const double most = kMostSwelling * other.view->outline.box().diagonal().norm();
+          const double most = (mirrored_yield ? kMostGiven : kMostSwelling) *
+                              other.view->outline.box().diagonal().norm();
           if (lacks > 0)
             swellings[&other - carving.views.data()].push_back(
                 {other.view->project(found.point), std::min(lacks, most)});
@@ -99,6 +107,17 @@ void swell_until_covered(Carving& carving) {
   }
   for (std::size_t v = 0; v < swellings.size(); ++v)
     carving.views[v].raster.swell(swellings[v], kWidth);
+}
+
+}  // namespace
+
+void swell_until_covered(Carving& carving) {
+  if (carving.one_direction()) return;
+  swell(carving, false);
+}
+
+void swell_mirrored(Carving& carving) {
+  swell(carving, true);
 }
 
 }  // namespace artisketch

@@ -26,5 +26,8 @@ double coverage(const Silhouette& outline, const std::vector<const Silhouette*>&
 // hull; by at most kMostSwelling of its size, as views that disagree by more are wrong in their
 // pose.
 void swell_until_covered(Carving& carving);
+// The same for the mirrored outlines alone, and the own outlines' rays: what is drawn stays, and a
+// mirrored outline gives way where its side differs.
+void swell_mirrored(Carving& carving);
 
 }  // namespace artisketch

@@ -16,6 +16,7 @@ constexpr double kMaxRotation = radians(40);  // users' poses are 8 to 15° off,
 constexpr double kMaxTranslation = 0.25;      // of the rest pose's size
 constexpr double kPixel = 1;                  // between the rays that coverage counts
 constexpr int kMostPixels = 160;              // of one contour
+constexpr int kMostMet = 640;                 // the same, times the frames it is held against
 
 }  // namespace
 
@@ -112,7 +113,7 @@ std::string nothing_to_compare(const Document& document) {
 Result<Calibration> calibrate(const Document& document, const CalibrateOptions& options, Run& run) {
   fix_blocking();
   Calibration result = unmoved(document);
-  const RayResiduals rays(document, kPixel, kMostPixels);
+  const RayResiduals rays = RayResiduals(document, kPixel, kMostPixels).thinned(kMostMet);
   const std::vector<Coverage> before = coverage(document, rays, result.poses, result.scales);
   std::vector<Coverage> after = before;
   if (const std::string why = nothing_to_compare(document); !why.empty()) {

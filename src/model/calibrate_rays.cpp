@@ -331,7 +331,7 @@ Result<Calibration> calibrate_rays(const Document& document, Run& run) {
   best = out_of_minima(solver, document, residuals, freedom, std::move(best), run);
   run.report(0.8);
   const auto robust = [&](const PoseChange& change) {
-    return residuals.evaluate(solver.at(change), kNarrow, nullptr);
+    return residuals.evaluate(solver.at(change), kNarrow, 1, nullptr);
   };
   PoseEnergy measured = kNarrowKernel;
   for (int i = 0; i < kRefinements; ++i) {

@@ -170,16 +170,6 @@ std::string listed(const std::set<int>& numbers) {
   return words;
 }
 
-// What a part's misses come to, all rays of all its views.
-double cost_of(const RayResiduals& rays, const RayResiduals::Part& part,
-               const Placement& placement) {
-  double sum = 0;
-  const auto misses = rays.misses(part, placement);
-  for (std::size_t v = 0; v < misses.size(); ++v)
-    for (const double squared : misses[v]) sum += part.views[v].weight * squared;
-  return sum;
-}
-
 // Small eigenvalues of the normal matrix would tell open angles, too, but not all of them: a round
 // part's rays slide along its outline as it turns, which no first derivative shows. So each angle
 // is tried.
@@ -195,7 +185,7 @@ void name_open_angles(const Document& document, const RayResiduals& rays, Calibr
     const Vec3 middle = part.middle(placement);
     Vec3 bone = part.bone;
     if (bone.isZero(0) && middle.norm() > kOffJoint * part.radius) bone = middle;
-    const double cost = cost_of(rays, part, placement);
+    const double cost = few.cost(part, placement, std::numeric_limits<double>::infinity());
     for (const RayResiduals::View& view : part.views) {
       if (view.frame == 0 && !document.calibration.free_first_frame) continue;
       Transform& posed = placement.posed[view.frame][part.joint];
@@ -203,7 +193,7 @@ void name_open_angles(const Document& document, const RayResiduals& rays, Calibr
       for (const auto& [kind, axis] : turns_of(bone, -direction_of(part, view, placement)))
         for (const double angle : {kOpenAngle, -kOpenAngle}) {
           posed = found * Eigen::AngleAxisd(angle, axis);
-          const bool cheap = cost_of(rays, part, placement) < cost + noise;
+          const bool cheap = few.cost(part, placement, cost + noise) < cost + noise;
           posed = found;
           if (!cheap) continue;
           open[{part.joint, kind}].insert(view.frame + 1);

@@ -32,26 +32,37 @@ struct Rows {
   }
 };
 
-// Their derivative by the part's motions.
-MatrixXd motion_rows(const RayResiduals::Part& part, const Placement& placement, const Vec3& c,
-                     double weight) {
-  MatrixXd J = MatrixXd::Zero(2 * part.views.size(), kMotion * placement.posed.size());
-  for (int v = 0; v < int(part.views.size()); ++v) {
+// Adds the part's linear system with the landmark c projected out: JᵀJ − (JᵀQ)(QᵀQ)⁻¹(JᵀQ)ᵀ. J, the
+// rows' derivative by the part's motions, has a block per view, QQ is QᵀQ with its ridge.
+void add_rows(const RayResiduals::Part& part, const Placement& placement, const Vec3& c,
+              double weight, const Rows& rows, const Mat3& QQ, MotionSystem& system) {
+  const int views = int(part.views.size());
+  MatrixXd JQ(kMotion * views, 3);
+  for (int v = 0; v < views; ++v) {
     const RayResiduals::View& view = part.views[v];
     const FrameCamera& camera = placement.cameras[view.frame];
     const Vec3 X = placement.posed[view.frame][part.joint] * c;
     const double k = std::sqrt(weight) / view.size;
     const Eigen::Matrix<double, 2, 3> P = k * camera.jacobian(X);
-    const int at = kMotion * view.frame;
+    Eigen::Matrix<double, 2, kMotion> J = Eigen::Matrix<double, 2, kMotion>::Zero();
     for (int i = 0; i < 2; ++i) {
       const Vec3 by_point = P.row(i).transpose();
-      J.block<1, 3>(2 * v + i, at) = X.cross(by_point).transpose();
-      J.block<1, 3>(2 * v + i, at + 3) = by_point.transpose();
+      J.block<1, 3>(i, 0) = X.cross(by_point).transpose();
+      J.block<1, 3>(i, 3) = by_point.transpose();
     }
     if (camera.camera.type == Camera::Type::orthographic)
-      J.block<2, 1>(2 * v, at + 6) = k * (camera.project(X) - camera.principal_point);
+      J.col(6) = k * (camera.project(X) - camera.principal_point);
+    const int at = kMotion * view.frame;
+    system.H.block<kMotion, kMotion>(at, at) += J.transpose() * J;
+    system.g.segment<kMotion>(at) += J.transpose() * rows.r.segment<2>(2 * v);
+    JQ.middleRows<kMotion>(kMotion * v) = J.transpose() * rows.Q.middleRows<2>(2 * v);
   }
-  return J;
+  const MatrixXd JQinv = JQ * QQ.inverse();
+  for (int v = 0; v < views; ++v)
+    for (int u = 0; u < views; ++u)
+      system.H.block<kMotion, kMotion>(kMotion * part.views[v].frame,
+                                       kMotion * part.views[u].frame) -=
+          JQinv.middleRows<kMotion>(kMotion * v) * JQ.middleRows<kMotion>(kMotion * u).transpose();
 }
 
 bool all_in_front(const RayResiduals::Part& part, const Placement& placement, const Vec3& c) {
@@ -65,10 +76,11 @@ bool all_in_front(const RayResiduals::Part& part, const Placement& placement, co
 
 double landmark_energy(const RayResiduals& residuals, const Skeleton& skeleton,
                        const Placement& placement, const LandmarkLoss& loss,
-                       std::vector<std::pair<int, MotionSystem>>* systems) {
+                       MotionSystems* systems) {
   double energy = 0;
   if (loss.centroid <= 0) return energy;
-  for (const RayResiduals::Part& part : residuals.parts()) {
+  for (std::size_t number = 0; number < residuals.parts().size(); ++number) {
+    const RayResiduals::Part& part = residuals.parts()[number];
     const bool has_bone = !skeleton.children(part.joint).empty();
     const double pull = has_bone ? loss.bone / (part.radius * part.radius) : 0;
     Vec3 c = part.middle(placement);
@@ -84,13 +96,7 @@ double landmark_energy(const RayResiduals& residuals, const Skeleton& skeleton,
     }
     const Rows rows(part, placement, c, loss.centroid);
     energy += rows.r.squaredNorm() + pull * (c - part.bone).squaredNorm();
-    if (!systems) continue;
-    const MatrixXd J = motion_rows(part, placement, c, loss.centroid);
-    const MatrixXd JQ = J.transpose() * rows.Q;
-    MotionSystem system;
-    system.H = J.transpose() * J - JQ * QQ.inverse() * JQ.transpose();
-    system.g = J.transpose() * rows.r;
-    systems->emplace_back(part.joint, std::move(system));
+    if (systems) add_rows(part, placement, c, loss.centroid, rows, QQ, (*systems)[number].second);
   }
   return energy;
 }

@@ -14,9 +14,9 @@ struct LandmarkLoss {
 };
 
 // Energy of all parts' landmarks, each at its best place (which is projected out of the
-// derivatives); adds to systems, where not null, entries like RayResiduals::evaluate's.
+// derivatives); adds to systems, where not null, as RayResiduals::evaluate does.
 double landmark_energy(const RayResiduals& residuals, const Skeleton& skeleton,
                        const Placement& placement, const LandmarkLoss& loss,
-                       std::vector<std::pair<int, MotionSystem>>* systems);
+                       MotionSystems* systems);
 
 }  // namespace artisketch

@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kTolerance = 1.5;   // pixels
 constexpr double kAgreement = 0.99;  // share of rays
+constexpr double kLikeness = 0.8;    // the same, where one side has what the other lacks
+constexpr double kLooser = 1;        // pixels about what is alike only: no creases for so little
 
 }  // namespace
 
@@ -48,12 +50,26 @@ Result<Carving> carving_with_mirrors(const Part& part, int cells) {
     others.erase(std::remove(others.begin(), others.end(), view), others.end());
     return coverage(*view, others, all.room, kTolerance);
   };
+  const auto keeps = [&](const Silhouette* view) {  // what is drawn
+    return covered(view, own_views) - covered(view, all_views) <= 1 - kAgreement;
+  };
+  bool same = true, alike = true;
   for (const Silhouette* view : all_views) {
-    const bool fine =
-        view->view->mirrored
-            ? covered(view, own_views) >= kAgreement && covered(view, all_views) >= kAgreement
-            : covered(view, own_views) - covered(view, all_views) <= 1 - kAgreement;
-    if (!fine) return own;
+    if (!view->view->mirrored) {
+      same = same && keeps(view);
+      continue;
+    }
+    const double share = covered(view, own_views);
+    alike = alike && share >= kLikeness;
+    same = same && share >= kAgreement && covered(view, all_views) >= kAgreement;
+  }
+  if (same) return all;
+  if (!alike) return own;
+  swell_mirrored(all);
+  for (Silhouette& view : all.views) {
+    if (!view.view->mirrored && !keeps(&view)) return own;
+    view.bounds_only = view.view->mirrored;
+    if (view.bounds_only) view.grown += kLooser;
   }
   return all;
 }

@@ -40,18 +40,11 @@ double PoseSolver::energy(const PoseChange& change, const PoseEnergy& what) cons
 }
 
 double PoseSolver::evaluate(const PoseChange& change, const PoseEnergy& what,
-                            Systems* systems) const {
+                            MotionSystems* systems) const {
   const Placement placement = at(change);
   double sum = prior_energy(change, prior_);
-  if (systems) systems->clear();
-  if (what.noise > 0) {
-    sum += residuals_.evaluate(placement, what.reach, systems) / what.noise;
-    if (systems)
-      for (auto& [joint, system] : *systems) {
-        system.H /= what.noise;
-        system.g /= what.noise;
-      }
-  }
+  if (systems) residuals_.clear(*systems, int(change.size()));
+  if (what.noise > 0) sum += residuals_.evaluate(placement, what.reach, 1 / what.noise, systems);
   return sum + landmark_energy(residuals_, document_.skeleton, placement, what.landmarks, systems);
 }
 

@@ -49,15 +49,14 @@ class PoseSolver {
   const PosePrior& prior() const { return prior_; }
 
  private:
-  using Systems = std::vector<std::pair<int, MotionSystem>>;
-  double evaluate(const PoseChange& change, const PoseEnergy& what, Systems* systems) const;
+  double evaluate(const PoseChange& change, const PoseEnergy& what, MotionSystems* systems) const;
 
   const Document& document_;
   const RayResiduals& residuals_;
   PoseSystem system_;
   PosePrior prior_;
   Run& run_;
-  Systems systems_;
+  MotionSystems systems_;
   int iterations_ = 0;
 };
 

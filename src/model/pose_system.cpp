@@ -76,14 +76,16 @@ double prior_energy(const PoseChange& change, const PosePrior& prior) {
 }
 
 PoseSystem::PoseSystem(const Document& document, PoseFreedom freedom)
-    : document_(document),
-      freedom_(std::move(freedom)),
-      frames_(int(document.frames.size())),
-      node_of_(document.skeleton.size(), -1) {
+    : document_(document), freedom_(std::move(freedom)), node_of_(document.skeleton.size(), -1) {
   const Skeleton& skeleton = document.skeleton;
+  for (int f = 0; f < int(document.frames.size()); ++f) {
+    const std::vector<char>& turns = freedom_.joint[f];
+    if (freedom_.frame[f] || std::count(turns.begin(), turns.end(), 1) > 0) moving_.push_back(f);
+  }
   for (int j = 0; j < skeleton.size(); ++j) {
-    bool ever = j == 0;
-    for (int f = 0; f < frames_; ++f) ever = ever || freedom_.joint[f][j];
+    const bool ever = std::any_of(moving_.begin(), moving_.end(), [&](int f) {
+      return freedom_.joint[f][j] || (j == 0 && freedom_.frame[f]);
+    });
     if (!ever) continue;
     Node node;
     node.joint = j;
@@ -95,44 +97,46 @@ PoseSystem::PoseSystem(const Document& document, PoseFreedom freedom)
   }
 }
 
-void PoseSystem::assemble(const PoseChange& change,
-                          std::span<const std::pair<int, MotionSystem>> parts) {
+void PoseSystem::assemble(const PoseChange& change, const MotionSystems& parts) {
   const Skeleton& skeleton = document_.skeleton;
+  const int frames = int(document_.frames.size()), moving = int(moving_.size());
   // What each joint's motion does to all that hangs on it, one system per joint.
-  std::vector<MotionSystem> below(skeleton.size(), MotionSystem(frames_));
+  below_.resize(skeleton.size());
+  for (MotionSystem& system : below_) system.clear(frames);
   for (const auto& [joint, system] : parts) {
-    below[joint].H += system.H;
-    below[joint].g += system.g;
+    below_[joint].H += system.H;
+    below_[joint].g += system.g;
   }
   for (int j = skeleton.size() - 1; j > 0; --j) {
-    below[skeleton.joints[j].parent].H += below[j].H;
-    below[skeleton.joints[j].parent].g += below[j].g;
+    below_[skeleton.joints[j].parent].H += below_[j].H;
+    below_[skeleton.joints[j].parent].g += below_[j].g;
   }
   std::vector<std::vector<Transform>> posed;
-  for (int f = 0; f < frames_; ++f)
+  for (int f = 0; f < frames; ++f)
     posed.push_back(posed_joints(skeleton, changed(document_.frames[f].pose, change[f])));
   std::vector<std::vector<Directions>> S;
   for (const Node& node : nodes_) S.push_back(directions(node, change, posed));
 
+  MatrixXd HS;  // a subtree's system in its node's unknowns on one side
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     Node& node = nodes_[n];
-    const MotionSystem& system = below[node.joint];
-    // HS: the subtree's system in this node's unknowns on one side.
-    MatrixXd HS(kMotion * frames_, node.width * frames_);
-    node.gradient.resize(node.width * frames_);
-    for (int f = 0; f < frames_; ++f) {
-      HS.middleCols(node.width * f, node.width).noalias() =
-          system.H.middleCols<kMotion>(kMotion * f) * S[n][f];
-      node.gradient.segment(node.width * f, node.width) =
-          S[n][f].transpose() * system.g.segment<kMotion>(kMotion * f);
+    const MotionSystem& system = below_[node.joint];
+    HS.resize(kMotion * frames, node.width * moving);
+    node.gradient.resize(node.width * moving);
+    for (int m = 0; m < moving; ++m) {
+      const int at = kMotion * moving_[m];
+      HS.middleCols(node.width * m, node.width).noalias() =
+          system.H.middleCols<kMotion>(at) * S[n][m];
+      node.gradient.segment(node.width * m, node.width) =
+          S[n][m].transpose() * system.g.segment<kMotion>(at);
     }
     node.blocks.resize(node.chain.size());
     for (std::size_t i = 0; i < node.chain.size(); ++i) {
       const Node& other = nodes_[node.chain[i]];
-      node.blocks[i].resize(node.width * frames_, other.width * frames_);
-      for (int f = 0; f < frames_; ++f)
-        node.blocks[i].middleCols(other.width * f, other.width).noalias() =
-            HS.middleRows<kMotion>(kMotion * f).transpose() * S[node.chain[i]][f];
+      node.blocks[i].resize(node.width * moving, other.width * moving);
+      for (int m = 0; m < moving; ++m)
+        node.blocks[i].middleCols(other.width * m, other.width).noalias() =
+            HS.middleRows<kMotion>(kMotion * moving_[m]).transpose() * S[node.chain[i]][m];
     }
   }
 }
@@ -142,7 +146,7 @@ std::vector<PoseSystem::Directions> PoseSystem::directions(
     const std::vector<std::vector<Transform>>& posed) const {
   const int parent = document_.skeleton.joints[node.joint].parent;
   std::vector<Directions> result;
-  for (int f = 0; f < frames_; ++f) {
+  for (const int f : moving_) {
     Directions S = Directions::Zero(kMotion, node.width);
     if (freedom_.joint[f][node.joint]) {
       const Mat3 user = document_.frames[f].pose.rotations[node.joint].toRotationMatrix();
@@ -169,16 +173,17 @@ void PoseSystem::hold_at_limits(const Node& node, const PoseChange& change, cons
     diagonal.block<3, 3>(at, at) +=
         kStiff * diagonal.block<3, 3>(at, at).trace() * outward * outward.transpose();
   };
-  for (int f = 0; f < frames_; ++f) {
-    hold(node.width * f, change[f].rotation[node.joint], freedom_.max_rotation);
-    if (node.joint == 0) hold(node.width * f + 3, change[f].translation, freedom_.max_translation);
+  for (int m = 0; m < int(moving_.size()); ++m) {
+    const FrameChange& frame = change[moving_[m]];
+    hold(node.width * m, frame.rotation[node.joint], freedom_.max_rotation);
+    if (node.joint == 0) hold(node.width * m + 3, frame.translation, freedom_.max_translation);
   }
 }
 
-PoseChange PoseSystem::stepped(const PoseChange& change, const PosePrior& prior,
-                               double damping) const {
-  const int n = int(nodes_.size());
-  std::vector<std::vector<MatrixXd>> A(n);
+PoseChange PoseSystem::stepped(const PoseChange& change, const PosePrior& prior, double damping) {
+  const int n = int(nodes_.size()), moving = int(moving_.size());
+  std::vector<std::vector<MatrixXd>>& A = factor_;
+  A.resize(n);
   std::vector<VectorXd> x(n);
   for (int k = 0; k < n; ++k) {
     const Node& node = nodes_[k];
@@ -188,24 +193,26 @@ PoseChange PoseSystem::stepped(const PoseChange& change, const PosePrior& prior,
       A[k][0](i, i) += 1 / (width * width);
       x[k][i] -= value / (width * width);
     };
-    for (int f = 0; f < frames_; ++f) {
-      const int at = node.width * f;
-      for (int i = 0; i < 3; ++i) pull(at + i, change[f].rotation[node.joint][i], prior.rotation);
+    for (int m = 0; m < moving; ++m) {
+      const int at = node.width * m;
+      const FrameChange& frame = change[moving_[m]];
+      for (int i = 0; i < 3; ++i) pull(at + i, frame.rotation[node.joint][i], prior.rotation);
       if (node.joint != 0) continue;
       for (int i = 0; i < 3; ++i)
-        pull(at + 3 + i, change[f].translation[i], i < 2 ? prior.translation : prior.depth);
-      pull(at + 6, change[f].log_scale, prior.log_scale);
+        pull(at + 3 + i, frame.translation[i], i < 2 ? prior.translation : prior.depth);
+      pull(at + 6, frame.log_scale, prior.log_scale);
     }
     A[k][0].diagonal() *= 1 + damping;
     hold_at_limits(node, change, x[k], A[k][0]);
   }
-  // Leaves first: each node is eliminated from its ancestors, which its chain couples already.
-  std::vector<Eigen::LLT<MatrixXd>> L(n);
+  // Leaves first: each node is eliminated from its ancestors, which its chain couples already. The
+  // lower triangle of A[k][0] becomes its Cholesky factor.
   for (int k = n - 1; k >= 0; --k) {
     const std::vector<int>& chain = nodes_[k].chain;
-    L[k].compute(A[k][0]);
-    L[k].matrixL().solveInPlace(x[k]);
-    for (std::size_t i = 1; i < chain.size(); ++i) L[k].matrixL().solveInPlace(A[k][i]);
+    Eigen::LLT<Eigen::Ref<MatrixXd>> in_place(A[k][0]);
+    const auto L = A[k][0].triangularView<Eigen::Lower>();
+    L.solveInPlace(x[k]);
+    for (std::size_t i = 1; i < chain.size(); ++i) L.solveInPlace(A[k][i]);
     for (std::size_t i = 1; i < chain.size(); ++i) {
       x[chain[i]].noalias() -= A[k][i].transpose() * x[k];
       for (std::size_t j = i; j < chain.size(); ++j)
@@ -215,13 +222,13 @@ PoseChange PoseSystem::stepped(const PoseChange& change, const PosePrior& prior,
   for (int k = 0; k < n; ++k) {
     const std::vector<int>& chain = nodes_[k].chain;
     for (std::size_t i = 1; i < chain.size(); ++i) x[k].noalias() -= A[k][i] * x[chain[i]];
-    L[k].matrixU().solveInPlace(x[k]);
+    A[k][0].triangularView<Eigen::Lower>().transpose().solveInPlace(x[k]);
   }
   PoseChange result = change;
   for (int k = 0; k < n; ++k) {
     const Node& node = nodes_[k];
-    for (int f = 0; f < frames_; ++f) {
-      const int at = node.width * f;
+    for (int m = 0; m < moving; ++m) {
+      const int at = node.width * m, f = moving_[m];
       Vec3& turn = result[f].rotation[node.joint];
       if (freedom_.joint[f][node.joint])
         turn = clamped(turn + x[k].segment<3>(at), freedom_.max_rotation);
@@ -237,8 +244,8 @@ PoseChange PoseSystem::stepped(const PoseChange& change, const PosePrior& prior,
 double PoseSystem::expected_energy(const PosePrior& prior) const {
   double sum = 0;
   for (const Node& node : nodes_)
-    for (int f = 0; f < frames_; ++f) {
-      const auto diagonal = node.blocks[0].diagonal().segment(node.width * f, node.width);
+    for (int m = 0; m < int(moving_.size()); ++m) {
+      const auto diagonal = node.blocks[0].diagonal().segment(node.width * m, node.width);
       sum += diagonal.head<3>().sum() * prior.rotation * prior.rotation;
       if (node.joint != 0) continue;
       sum += diagonal.segment<2>(3).sum() * prior.translation * prior.translation;

@@ -2,7 +2,7 @@
 // parts.
 #pragma once
 
-#include <span>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -34,10 +34,13 @@ using Motion = Eigen::Matrix<double, kMotion, 1>;
 struct MotionSystem {
   Eigen::MatrixXd H;
   Eigen::VectorXd g;
-  explicit MotionSystem(int frames = 0)
-      : H(Eigen::MatrixXd::Zero(kMotion * frames, kMotion * frames)),
-        g(Eigen::VectorXd::Zero(kMotion * frames)) {}
+  explicit MotionSystem(int frames = 0) { clear(frames); }
+  void clear(int frames) {  // keeps its memory where the frames are as many as before
+    H.setZero(kMotion * frames, kMotion * frames);
+    g.setZero(kMotion * frames);
+  }
 };
+using MotionSystems = std::vector<std::pair<int, MotionSystem>>;  // joints and their systems
 
 // How far users' poses are off, as standard deviations per axis: the prior that pulls to them.
 struct PosePrior {
@@ -64,12 +67,11 @@ class PoseSystem {
  public:
   PoseSystem(const Document& document, PoseFreedom freedom);
 
-  // parts: joints and their systems at the change given.
-  void assemble(const PoseChange& change, std::span<const std::pair<int, MotionSystem>> parts);
+  void assemble(const PoseChange& change, const MotionSystems& parts);
 
   // A step of Levenberg and Marquardt with the prior, damped by `damping` times the diagonal, and
   // cut to the limits exactly. Pulls against a limit that is reached are left out of the system.
-  PoseChange stepped(const PoseChange& change, const PosePrior& prior, double damping) const;
+  PoseChange stepped(const PoseChange& change, const PosePrior& prior, double damping);
 
   // The energy that pose errors of one standard deviation would make, by the system assembled.
   double expected_energy(const PosePrior& prior) const;
@@ -77,15 +79,16 @@ class PoseSystem {
   const PoseFreedom& freedom() const { return freedom_; }
 
  private:
-  // A joint that may turn in some frame, or the root.
+  // A joint that may move in some frame.
   struct Node {
     int joint = 0;
-    int width = 3;                        // unknowns per frame: a rotation; a motion of the root
-    std::vector<int> chain;               // nodes from this one up to the root
+    int width = 3;           // unknowns per frame that moves: a rotation; a motion of the root
+    std::vector<int> chain;  // nodes from this one up to the root
     std::vector<Eigen::MatrixXd> blocks;  // of the system, with each node of the chain
     Eigen::VectorXd gradient;
   };
-  // Per frame: the motion of all that hangs on a node for each of its unknowns, 7 × width.
+  // Per frame that moves: the motion of all that hangs on a node for each of its unknowns, 7 ×
+  // width.
   using Directions = Eigen::Matrix<double, kMotion, Eigen::Dynamic, 0, kMotion, kMotion>;
   std::vector<Directions> directions(const Node& node, const PoseChange& change,
                                      const std::vector<std::vector<Transform>>& posed) const;
@@ -94,9 +97,12 @@ class PoseSystem {
 
   const Document& document_;
   PoseFreedom freedom_;
-  int frames_ = 0;
+  std::vector<int> moving_;   // frames in which anything may move
   std::vector<Node> nodes_;   // parents before children
-  std::vector<int> node_of_;  // per joint; −1: it never turns
+  std::vector<int> node_of_;  // per joint; −1: it never moves
+  // Kept from step to step for their memory.
+  std::vector<MotionSystem> below_;                   // per joint: of all that hangs on it
+  std::vector<std::vector<Eigen::MatrixXd>> factor_;  // per node: blocks, being eliminated
 };
 
 double prior_energy(const PoseChange& change, const PosePrior& prior);

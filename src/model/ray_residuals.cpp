@@ -196,7 +196,7 @@ double RayResiduals::contour_length() const {
 }
 
 // Calls visit(view, point, squared miss, depth from the middle, ray, the search's rays) for every
-// ray of a part.
+// ray of a part, until that returns false.
 template <class Visit>
 void RayResiduals::each_ray(const Part& part, const Placement& placement,
                             const Visit& visit) const {
@@ -224,31 +224,37 @@ void RayResiduals::each_ray(const Part& part, const Placement& placement,
                                  across[i] * ray.origin, across[i].linear() * ray.direction);
       double e;
       const double t = search.best_depth(kReach * part.radius, e);
-      visit(a, int(p), std::min(e, kOutOfSight), t, ray, search, across);
+      if (!visit(a, int(p), std::min(e, kOutOfSight), t, ray, search, across)) return;
     }
   }
 }
 
-double RayResiduals::evaluate(const Placement& placement, double reach,
-                              std::vector<std::pair<int, MotionSystem>>* systems) const {
+void RayResiduals::clear(MotionSystems& systems, int frames) const {
+  systems.resize(parts_.size());
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    systems[i].first = parts_[i].joint;
+    systems[i].second.clear(frames);
+  }
+}
+
+double RayResiduals::evaluate(const Placement& placement, double reach, double weight,
+                              MotionSystems* systems) const {
   const double c2 = reach * unit_ * reach * unit_;
-  const int frames = int(placement.posed.size());
   const bool scales = placement.cameras[0].camera.type == Camera::Type::orthographic;
   double energy = 0;
-  if (systems) systems->clear();
   std::vector<Row> rows;
   std::vector<int> other_frames;
   std::vector<Mat3> turned;
-  for (const Part& part : parts_) {
-    MotionSystem system(systems ? frames : 0);
+  for (std::size_t number = 0; number < parts_.size(); ++number) {
+    const Part& part = parts_[number];
     each_ray(part, placement,
              [&](int a, int, double e, double t, const Ray& ray, const RaySearch& search,
                  const std::vector<Transform>& across) {
-               if (e == 0) return;
+               if (e == 0) return true;
                const View& from = part.views[a];
                const double share = c2 > 0 ? c2 / (c2 + e) : 1;
-               energy += from.weight * share * e;
-               if (!systems) return;
+               energy += weight * from.weight * share * e;
+               if (!systems) return true;
                rows.clear();
                other_frames.clear();
                turned.clear();
@@ -280,9 +286,9 @@ double RayResiduals::evaluate(const Placement& placement, double reach,
                }
                if (!rows.empty())
                  add_ray(rows, other_frames, from.frame, ray.at(t), turned, h,
-                         from.weight * share * share, scales, system);
+                         weight * from.weight * share * share, scales, (*systems)[number].second);
+               return true;
              });
-    if (systems) systems->emplace_back(part.joint, std::move(system));
   }
   return energy;
 }
@@ -293,8 +299,22 @@ std::vector<std::vector<double>> RayResiduals::misses(const Part& part,
   for (const View& view : part.views) squared.emplace_back(view.points.size());
   each_ray(part, placement,
            [&](int a, int p, double e, double, const Ray&, const RaySearch&,
-               const std::vector<Transform>&) { squared[a][p] = e; });
+               const std::vector<Transform>&) {
+             squared[a][p] = e;
+             return true;
+           });
   return squared;
+}
+
+double RayResiduals::cost(const Part& part, const Placement& placement, double enough) const {
+  double sum = 0;
+  each_ray(part, placement,
+           [&](int a, int, double e, double, const Ray&, const RaySearch&,
+               const std::vector<Transform>&) {
+             sum += part.views[a].weight * e;
+             return sum <= enough;
+           });
+  return sum;
 }
 
 }  // namespace artisketch

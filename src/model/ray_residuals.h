@@ -9,7 +9,6 @@
 
 #include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "model/calibrate.h"
@@ -62,15 +61,22 @@ class RayResiduals {
   double contour_length() const;  // in unit()
 
   // Sum over rays of ρ(e) = c²e / (c² + e) (Geman and McClure 1987), e the sum of a ray's squared
-  // residuals, and c = reach, in unit() (0: plain squares). systems: where not null, receives each
-  // part's joint and its linear system in the part's motions.
-  double evaluate(const Placement& placement, double reach,
-                  std::vector<std::pair<int, MotionSystem>>* systems) const;
+  // residuals, and c = reach, in unit() (0: plain squares), times `weight`. systems: where not
+  // null, each part's linear system in its motions is added there.
+  double evaluate(const Placement& placement, double reach, double weight,
+                  MotionSystems* systems) const;
+  // A system for each part, as parts() are ordered, to be added to.
+  void clear(MotionSystems& systems, int frames) const;
+
+  // The sum over a part's rays of their squared misses, each times its weight; where that is more
+  // than `enough`, anything above it.
+  double cost(const Part& part, const Placement& placement, double enough) const;
 
   // Pixels² by which each ray of a part misses the hull, view by view, point by point.
   std::vector<std::vector<double>> misses(const Part& part, const Placement& placement) const;
 
  private:
+  // Until visit returns false.
   template <class Visit>
   void each_ray(const Part& part, const Placement& placement, const Visit& visit) const;
 

@@ -10,6 +10,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr int kSamples = 13;  // along the reach: a part's silhouettes are rarely finer than that
 constexpr int kRefinements = 10;
 constexpr double kSettled = 1e-3;  // of the step between samples
+constexpr double kSteepest = 1.1;  // slope of a distance that is bilinear between its samples
 
 }  // namespace
 
@@ -25,12 +26,21 @@ SeenRay::SeenRay(const FrameCamera& camera, const Vec3& origin, const Vec3& dire
   b_ = Vec2(s * direction.x(), -s * direction.y());
 }
 
-double RaySearch::sum_up_to(double enough, double t) const {
+double SeenRay::fastest(double reach) const {
+  const double w = w_ - std::abs(c_) * reach;
+  return w > 1e-9 ? (w_ * b_ - c_ * a_).norm() / (w * w) : kNever;
+}
+
+double RaySearch::sum_up_to(double enough, double t, std::size_t& view, double& distance) const {
   double total = 0;
-  for (std::size_t v = 0; v < rays.size() && total < enough; ++v) {
-    if (!rays[v].in_front(t)) return kNever;
-    const double sd = outlines[v]->distance(rays[v].pixel(t));
-    if (sd > 0) total += sd * sd;
+  for (view = 0; view < rays.size(); ++view) {
+    if (!rays[view].in_front(t)) {
+      distance = 0;
+      return kNever;
+    }
+    distance = outlines[view]->distance(rays[view].pixel(t));
+    if (distance > 0) total += distance * distance;
+    if (total >= enough) break;
   }
   return total;
 }
@@ -54,13 +64,22 @@ double RaySearch::best_depth(double reach, double& least) const {
   const double step = 2 * reach / (kSamples - 1);
   double at = 0;
   least = kNever;
-  // From the middle outward: most rays find their part there.
+  // From the middle outward: most rays find their part there. Depths at which one silhouette alone
+  // is too far off yet, however fast the ray comes nearer to it, are left out on either side.
+  double too_far[2] = {0, 0};
   for (int i = 0; i < kSamples && least > 0; ++i) {
-    const double t = step * ((i + 1) / 2) * (i % 2 ? 1 : -1);
-    const double value = sum_up_to(least, t);
+    const int side = i % 2;
+    const double depth = step * ((i + 1) / 2), t = side ? depth : -depth;
+    if (depth < too_far[side]) continue;
+    std::size_t view;
+    double distance;
+    const double value = sum_up_to(least, t, view, distance);
     if (value < least) {
       least = value;
       at = t;
+    } else if (distance * distance > least) {
+      too_far[side] =
+          depth + (distance - std::sqrt(least)) / (kSteepest * rays[view].fastest(reach));
     }
   }
   if (least == 0 || least == kNever) return at;

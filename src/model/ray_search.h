@@ -17,6 +17,9 @@ class SeenRay {
 
   bool in_front(double t) const { return w_ + t * c_ > 1e-9; }
   Vec2 pixel(double t) const { return principal_point_ + (a_ + t * b_) / (w_ + t * c_); }
+  // The most pixels that it moves by per unit of t, for t within ±reach; +infinity if it gets
+  // behind the camera there.
+  double fastest(double reach) const;
   // `along` is the pixel's derivative by t.
   Vec2 pixel(double t, Vec2& along) const {
     const double k = 1 / (w_ + t * c_);
@@ -45,7 +48,9 @@ struct RaySearch {
     double value = 0, half_slope = 0, half_bend = 0;  // the bend where distances are linear
   };
   Sum sum(double t) const;
-  double sum_up_to(double enough, double t) const;  // at least `enough` where it's more than that
+  // At least `enough` where it's more than that; then `view` is one that makes it so, by
+  // `distance`.
+  double sum_up_to(double enough, double t, std::size_t& view, double& distance) const;
 };
 
 }  // namespace artisketch

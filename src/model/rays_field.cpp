@@ -72,7 +72,7 @@ Result<RaysField> rays_field(const Part& part, const RaysFieldOptions& options, 
     const Silhouette& view = carving->views[v];
     const bool seen = std::any_of(directions.begin(), directions.end(),
                                   [&](const Vec3& d) { return same_direction(d, view.direction); });
-    if (view.view->mirrored && seen) continue;
+    if (view.bounds_only || (view.view->mirrored && seen)) continue;
     directions.push_back(view.direction);
     for (RayRim& rim : outline_rays(view, rays)) {
       rim.view = v;

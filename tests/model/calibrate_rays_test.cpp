@@ -76,15 +76,14 @@ Placement moved(Placement placement, int frame, const Motion& m) {
   return placement;
 }
 
-using Systems = std::vector<std::pair<int, MotionSystem>>;
-
 // Half the energy's derivatives by the motions of whole frames, as the systems have them and by
 // differences.
-void expect_same_derivatives(const Document& document,
-                             const std::function<double(const Placement&, Systems*)>& energy,
+void expect_same_derivatives(const Document& document, const RayResiduals& rays,
+                             const std::function<double(const Placement&, MotionSystems*)>& energy,
                              double tolerance) {
   const Placement placement = user_placement(document);
-  Systems systems;
+  MotionSystems systems;
+  rays.clear(systems, int(document.frames.size()));
   energy(placement, &systems);
   Eigen::VectorXd g = Eigen::VectorXd::Zero(kMotion * document.frames.size());
   for (const auto& [joint, system] : systems) g += system.g;
@@ -109,15 +108,16 @@ TEST_P(Derivatives, OfRaysAreThoseOfTheirEnergy) {
   // Distances are bilinear between samples: slopes jump where a step crosses from one to the next.
   for (const double reach : {0, 12, 4})
     expect_same_derivatives(
-        given, [&](const Placement& p, Systems* s) { return rays.evaluate(p, reach, s); }, 0.04);
+        given, rays,
+        [&](const Placement& p, MotionSystems* s) { return rays.evaluate(p, reach, 1, s); }, 0.04);
 }
 
 TEST_P(Derivatives, OfLandmarksAreThoseOfTheirEnergy) {
   const Document given = sketched(human(2), 3, GetParam(), 8).given;
   const RayResiduals rays(given, 4, 24);
   expect_same_derivatives(
-      given,
-      [&](const Placement& p, Systems* s) {
+      given, rays,
+      [&](const Placement& p, MotionSystems* s) {
         return landmark_energy(rays, given.skeleton, p, {100, 50}, s);
       },
       1e-3);
@@ -139,7 +139,7 @@ TEST(PoseSystem, StepsToTheLeastOfAQuadratic) {
       if (freedom.joint[f][j]) wanted[f].rotation[j] = any();
     wanted[f].translation = any();
   }
-  Systems parts;
+  MotionSystems parts;
   for (const int joint : drawn_joints(d)) {
     MotionSystem part(3);
     part.H.setIdentity();
