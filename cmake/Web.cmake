@@ -18,12 +18,17 @@ function(artisketch_web_module name begin environment)
     $<$<VERSION_GREATER_EQUAL:${EMSCRIPTEN_VERSION},3.1.27>:-sSTACK_SIZE=5MB>)
 endfunction()
 
-# Small where it isn't slow: the interface, and the reading and writing of files.
+# Small where it isn't slow: the interface, what a person does to the document, and the reading and
+# writing of files.
 target_compile_options(artisketch_editor PRIVATE -Oz)
 target_compile_options(artisketch_imgui PRIVATE -Oz)
 file(GLOB files CONFIGURE_DEPENDS src/files/*.cpp)
-set_source_files_properties(${files} src/app/cli.cpp src/app/job_bytes.cpp web/page_main.cpp
-  web/browser.cpp PROPERTIES COMPILE_OPTIONS -Oz)
+set(edits edit animate correspondence cut history mend skeleton_edit sprite_sheet strokes suggest
+  templates)
+list(TRANSFORM edits PREPEND src/document/)
+list(TRANSFORM edits APPEND .cpp)
+set_source_files_properties(${files} ${edits} src/model/calibration_words.cpp src/app/cli.cpp
+  src/app/job_bytes.cpp web/page_main.cpp web/browser.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 
 # What goes over all that is drawn, and over all of a model.
 set_source_files_properties(src/editor/damage.cpp src/editor/model_picture.cpp

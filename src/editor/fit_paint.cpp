@@ -5,6 +5,7 @@
 #include "editor/live.h"
 #include "editor/panels.h"
 #include "editor/pointer.h"
+#include "editor/sketch_paint.h"
 
 namespace artisketch {
 namespace {
@@ -29,10 +30,10 @@ void paint_hairs(const FitMarks& marks, const OnScreen& on) {
 }
 
 void paint_edge(const FitMarks& marks, const OnScreen& on) {
-  std::vector<ImVec2> points;
   for (const std::vector<EdgePoint>& loop : marks.edge) {
-    points.clear();
-    for (const EdgePoint& p : loop) points.push_back(on.of(p.at));
+    Polyline line;
+    for (const EdgePoint& p : loop) line.points.push_back(p.at);
+    const std::vector<ImVec2> points = on_screen(line, on);
     draw().AddPolyline(points.data(), int(points.size()), rgb(0xFFFFFF, 0.55f), ImDrawFlags_Closed,
                        2.75f);
     draw().AddPolyline(points.data(), int(points.size()), rgb(kInk, 0.9f), ImDrawFlags_Closed,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "document/line_fit.h"
 #include "editor/theme.h"
 
 namespace artisketch {
@@ -16,20 +17,24 @@ float distance(ImVec2 a, ImVec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-// The line on screen, without points too close to be seen apart.
+}  // namespace
+
 std::vector<ImVec2> on_screen(const Polyline& line, const OnScreen& on) {
   constexpr float kApart = 0.75f;
-  std::vector<ImVec2> points;
+  constexpr double kUnseen = 0.15;  // points of the screen
+  std::vector<Vec2> points;
   for (const Vec2& p : line.points) {
-    const ImVec2 here = on.of(p);
-    if (points.empty() || distance(points.back(), here) > kApart) points.push_back(here);
+    const ImVec2 at = on.of(p);
+    const Vec2 here(at.x, at.y);
+    if (points.empty() || (points.back() - here).norm() > kApart) points.push_back(here);
   }
-  while (line.closed && points.size() > 3 && distance(points.front(), points.back()) < kApart)
+  while (line.closed && points.size() > 3 && (points.front() - points.back()).norm() < kApart)
     points.pop_back();
-  return points;
+  std::vector<ImVec2> seen;
+  for (const Vec2& p : simplified(points, line.closed, kUnseen))
+    seen.emplace_back(float(p.x()), float(p.y()));
+  return seen;
 }
-
-}  // namespace
 
 std::vector<int> filling(std::span<const ImVec2> polygon) {
   const int n = int(polygon.size());

@@ -37,6 +37,9 @@ struct BonesLook {
 void paint_bones(ImDrawList& list, const Skeleton& skeleton, const Pose& pose,
                  const FrameCamera& camera, const OnScreen& on, const BonesLook& look);
 
+// The line on screen, without the points that nobody would miss.
+std::vector<ImVec2> on_screen(const Polyline& line, const OnScreen& on);
+
 // Triangles that fill a simple polygon, as indices into it; ear clipping. What crosses itself is
 // filled about right.
 std::vector<int> filling(std::span<const ImVec2> polygon);
