@@ -6,13 +6,12 @@
 
 namespace artisketch {
 
-Bulge::Bulge(const std::vector<RayRim>& rims, double radius) : radius_(radius) {
-  for (const RayRim& rim : rims)
-    for (std::size_t i = 0; i < rim.rays.size(); ++i) {
-      const RimRay &from = rim.rays[i], &to = rim.rays[(i + 1) % rim.rays.size()];
-      const Vec3 a = from.ray.at(from.depth), way = to.ray.at(to.depth) - a;
+Bulge::Bulge(const Curves& rims, double radius) : radius_(radius) {
+  for (const std::vector<Vec3>& rim : rims)
+    for (std::size_t i = 0; i + 1 < rim.size(); ++i) {
+      const Vec3 way = rim[i + 1] - rim[i];
       const double length2 = way.squaredNorm();
-      pieces_.push_back({a, way, length2 > 0 ? 1 / length2 : 0});
+      pieces_.push_back({rim[i], way, length2 > 0 ? 1 / length2 : 0});
     }
 }
 

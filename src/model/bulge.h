@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/ray_rims.h"
+#include "model/run.h"
 
 namespace artisketch {
 
@@ -12,7 +12,8 @@ namespace artisketch {
 // no more than the 0.3 R of a ball with two rims.
 class Bulge {
  public:
-  Bulge(const std::vector<RayRim>& rims, double radius);
+  // rims: polylines that end where they begin.
+  Bulge(const Curves& rims, double radius);
   double height(const Vec3& p) const;  // ≥ 0, units
 
  private:

@@ -11,12 +11,22 @@
 namespace artisketch {
 namespace {
 
+Curves curves_of(const std::vector<RayRim>& rims) {
+  Curves curves;
+  for (const RayRim& rim : rims) {
+    curves.emplace_back();
+    for (const RimRay& ray : rim.rays) curves.back().push_back(ray.ray.at(ray.depth));
+    curves.back().push_back(curves.back().front());
+  }
+  return curves;
+}
+
 // Raises the hull to f, bulging `fatness` times as far between the rims. What would lose its middle
 // when thinned that much is thinned less.
 void raise_plump(const HermiteSurface& f, const std::vector<RayRim>& rims, double radius,
                  double fatness, Grid3<float>& hull) {
   const double above = 3 * hull.cell;
-  const Bulge bulge(rims, radius);
+  const Bulge bulge(curves_of(rims), radius);
   const auto raised = [&](double times) {
     Grid3<float> field = hull;
     const auto rows = [&](const Vec3& start, const Vec3& step, int n, float* values) {

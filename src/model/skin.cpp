@@ -1,9 +1,9 @@
 // Heat-diffusion weights (Baran and Popović 2007, section 5): (−Δ + H) w = H p on the surface.
 //
 // We differ in two things that the drawn parts tell. p, the bone that a vertex listens to first, is
-// the part on whose surface the vertex lies; only where several parts' surfaces run together does
-// the nearest bone decide. And H = c / r² takes the limb's radius r at the vertex, not the distance
-// to the bone: a bone may lie anywhere in its limb, or end in the middle of it.
+// the part on whose surface the vertex lies; where several parts' surfaces run together they share
+// it by the nearness of their bones. And H = c / r² takes the limb's radius r at the vertex, not
+// the distance to the bone: a bone may lie anywhere in its limb, or end in the middle of it.
 #include <algorithm>
 #include <cmath>
 
@@ -16,8 +16,11 @@ namespace {
 // c in H = c / r²: nine tenths of the change from one bone to the next take place over about one
 // radius. Pinocchio has 1: three radii, over which posed limbs lose their silhouettes.
 constexpr double kHeat = 9;
-// Parts whose surfaces lie no further apart than this share of the limb's radius are both there.
-constexpr double kTogether = 0.25;
+// A vertex listens to all parts whose surfaces and bones lie hardly further off than the nearest
+// one's, in shares of the limb's radius: the step from one part to the next must not fall between
+// two neighbouring vertices, or else a bend tears teeth along it.
+constexpr double kTogether = 0.5;      // of surfaces
+constexpr double kAcross = 0.5;        // of bones
 constexpr double kGrowth = 0.5;        // of a limb's radius, per way along the surface
 constexpr double kLeastWeight = 1e-3;  // less is left out
 
@@ -35,8 +38,8 @@ double limb_radius(const Body& body, int part, double thickness, const Vec3& p,
 }
 
 struct Listening {
-  std::vector<int> parts;  // to which it listens in equal shares
-  double radius = 0;       // of its limb
+  std::vector<std::pair<int, double>> parts;  // to which it listens, in shares of 1
+  double radius = 0;                          // of its limb
 };
 
 Listening listening(const Body& body, const PartTree& tree, const Vec3& p, const Vec3& normal) {
@@ -49,21 +52,30 @@ Listening listening(const Body& body, const PartTree& tree, const Vec3& p, const
     distance[i] = body.part_distance(i, p);
     if (nearest < 0 || distance[i] < least) nearest = i, least = distance[i];
   }
-  result.radius = limb_radius(body, nearest, tree.nodes[nearest].thickness, p, -normal);
+  const double radius = limb_radius(body, nearest, tree.nodes[nearest].thickness, p, -normal);
+  result.radius = radius;
+  // Shares fall to nothing as a part's surface comes to lie kTogether further off than the nearest,
+  // and as its bones come to lie kAcross further off.
   double to_bone = BlockGrid::kOutside;
+  std::vector<std::pair<int, double>> near;  // parts, distances from their bones
   for (int i = 0; i < body.size(); ++i) {
     if (i != nearest && !tree.meet(i, nearest)) continue;
-    if (distance[i] > std::max(least, 0.0) + kTogether * result.radius) continue;
+    if (distance[i] >= std::max(least, 0.0) + kTogether * radius) continue;
     double d = BlockGrid::kOutside;
     for (const Segment& axis : tree.nodes[i].axes) d = std::min(d, axis.distance(p));
-    constexpr double kSame = 1e-3;  // beyond a shared joint both bones are equally near
-    if (d < to_bone * (1 - kSame)) {
-      result.parts.assign(1, i);
-      to_bone = d;
-    } else if (d <= to_bone * (1 + kSame)) {
-      result.parts.push_back(i);
-    }
+    near.emplace_back(i, d);
+    to_bone = std::min(to_bone, d);
   }
+  double sum = 0;
+  for (const auto& [i, d] : near) {
+    const double surface = std::max(0.0, distance[i] - std::max(least, 0.0)) / (kTogether * radius);
+    const double bone = (d - to_bone) / (kAcross * radius);
+    const double share = (1 - surface) * std::max(0.0, 1 - bone);
+    if (share <= 0) continue;
+    result.parts.emplace_back(i, share);
+    sum += share;
+  }
+  for (auto& [i, share] : result.parts) share /= sum;
   return result;
 }
 
@@ -129,7 +141,7 @@ Result<HeatSystem> heat_system(const Document& document, std::span<const PartSur
     const Listening l =
         listening(body, tree, mesh.V.row(v).transpose(), normals.row(v).transpose());
     radius[v] = l.radius;
-    for (const int part : l.parts) system.right(v, part) = 1 / double(l.parts.size());
+    for (const auto& [part, share] : l.parts) system.right(v, part) = share;
   }
   limit_growth(mesh, radius);
   system.heat = kHeat * areas.cwiseQuotient(radius.cwiseAbs2());

@@ -5,6 +5,7 @@
 
 #include "base/coarsen.h"
 #include "base/mesh_distance.h"
+#include "model/bulge.h"
 #include "model/inflate.h"
 #include "model/stages.h"
 #include "model/thin_parts.h"
@@ -77,8 +78,26 @@ void warn_of_missing_rims(const Part& part, std::span<const Rim> rims,
   }
 }
 
+// Bulges `fatness` times as far between the rims. What would fold or fall apart when thinned that
+// much is thinned less.
+Mesh fattened(const Mesh& mesh, const Curves& rims, double radius, double fatness,
+              Grid3<float> field) {
+  if (fatness == 1) return mesh;
+  const Bulge bulge(rims, radius);
+  const Points3 normals = vertex_normals(mesh);
+  for (int tries = 0; tries < 4; ++tries, fatness = (1 + fatness) / 2) {
+    Mesh fat = mesh;
+    for (int v = 0; v < int(mesh.V.rows()); ++v)
+      fat.V.row(v) += (fatness - 1) * bulge.height(mesh.V.row(v).transpose()) * normals.row(v);
+    mesh_distance(fat, kBand, field);
+    if (alike(fat, isosurface(field), field.cell)) return fat;
+  }
+  return mesh;
+}
+
 // Level set, rims and bending: the hull's mesh becomes the part's.
-Result<Mesh> refined(const Part& part, const Grid3<float>& hull, PartSurface& surface, Run& run) {
+Result<Mesh> refined(const Part& part, const Grid3<float>& hull, double radius,
+                     PartSurface& surface, Run& run) {
   LevelSetOptions options;
   if (is_thin(hull)) options.grown = 1;
   Result<Grid3<float>> field = [&] {
@@ -101,8 +120,10 @@ Result<Mesh> refined(const Part& part, const Grid3<float>& hull, PartSurface& su
 
   const Share share(run, 0.7, 0.95);
   Result<Mesh> reduced = reduce_volume(part, *mesh, surface.rims, {}, run);
-  if (reduced && run.trace) run.trace->add(part.name + "/rims", curves_of(*reduced, surface.rims));
-  return reduced;
+  if (!reduced) return reduced;
+  const Curves curves = curves_of(*reduced, surface.rims);
+  if (run.trace) run.trace->add(part.name + "/rims", curves);
+  return fattened(*reduced, curves, radius, part.fatness, hull);
 }
 
 }  // namespace
@@ -122,7 +143,7 @@ Result<PartSurface> surface_paper(const Part& part, const SurfaceOptions& option
   if (round_it) inflate(*carving, part.bones, part.fatness, *hull);
   Result<Mesh> mesh = options.visual_hull || carving->one_direction()
                           ? isosurface(*hull)
-                          : refined(part, *hull, surface, run);
+                          : refined(part, *hull, carving->radius, surface, run);
   if (!mesh) return mesh.error();
 
   surface.mesh = std::move(*mesh);

@@ -37,11 +37,14 @@ inline Quat from_above() {
   return Quat(Eigen::AngleAxisd(kPi / 2, Vec3::UnitX()));
 }
 
-// One joint, one frame a side, orthographic.
-inline Part part(const std::vector<Side>& sides, double pixels_per_unit = 100) {
+// One joint, one frame a side. Outlines are in units at the joint's depth.
+inline Part part(const std::vector<Side>& sides, const Camera& camera) {
   constexpr int kMiddle = 300;
   Document document;
-  document.camera.pixels_per_unit = pixels_per_unit;
+  document.camera = camera;
+  const double pixels_per_unit = camera.type == Camera::Type::perspective
+                                     ? camera.focal_length / camera.distance
+                                     : camera.pixels_per_unit;
   document.skeleton.joints.push_back({"part", -1, Vec3::Zero(), -1, ""});
   for (const Side& side : sides) {
     Frame frame;
@@ -60,6 +63,21 @@ inline Part part(const std::vector<Side>& sides, double pixels_per_unit = 100) {
     document.frames.push_back(frame);
   }
   return parts_of(document)[0];
+}
+
+inline Part part(const std::vector<Side>& sides, double pixels_per_unit = 100) {
+  Camera camera;
+  camera.pixels_per_unit = pixels_per_unit;
+  return part(sides, camera);
+}
+
+// A ball of radius 1 drawn from so near that just a cap of it shows: what outlines it lies before
+// its middle.
+inline Part near_ball(double distance) {
+  const double radius = distance / std::sqrt(distance * distance - 1);
+  return part({{from_front(), {ellipse(radius, radius)}, {}},
+               {from_right(), {ellipse(radius, radius)}, {}}},
+              {Camera::Type::perspective, 0, 100 * distance, distance});
 }
 
 inline Part two_circles(double radius = 1) {

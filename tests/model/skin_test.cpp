@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/raster.h"
+#include "figures/examples.h"
 #include "model/solid_parts.h"
 
 namespace artisketch {
@@ -42,13 +43,13 @@ struct Skinned {
   Weights weights;
 };
 
-Skinned skinned(const Figure& figure, int cells = 40) {
+Skinned skinned(const Figure& figure, int cells = 40, int triangles = 0) {
   Skinned s;
   s.document.skeleton = figure.skeleton;
   s.parts = surfaces_of(figure, cells);
   std::vector<std::string> warnings;
   artisketch::Run run;
-  s.mesh = consolidate(s.document, s.parts, {}, warnings, run).value();
+  s.mesh = consolidate(s.document, s.parts, {true, triangles}, warnings, run).value();
   s.weights = skin(s.document, s.parts, s.mesh, run).value();
   return s;
 }
@@ -121,6 +122,22 @@ TEST(Skin, BlendsEvenlyRoundAnElbow) {
       EXPECT_NEAR(w[v], 0.5, 0.1);
     } else if (x > 1.5 * radius && x < 3 * radius) {
       EXPECT_GT(w[v], 0.95);
+    }
+  }
+}
+
+// Else the surface folds into teeth there when it bends.
+TEST(Skin, NoNeighboursStandOnTwoSidesOfAnElbow) {
+  for (const char* name : {"hero", "robot"}) {
+    const Figure figure = example(name).figure;
+    const Skinned s = skinned(figure, 40, 15000);
+    for (const char* joint : {"forearm.L", "forearm.R", "shin.L", "shin.R"}) {
+      const Eigen::VectorXd w = of_joint(s.weights, figure.skeleton.find(joint));
+      double most = 0;
+      for (int f = 0; f < s.mesh.F.rows(); ++f)
+        for (int c = 0; c < 3; ++c)
+          most = std::max(most, std::abs(w[s.mesh.F(f, c)] - w[s.mesh.F(f, (c + 1) % 3)]));
+      EXPECT_LT(most, 0.45) << name << " " << joint;
     }
   }
 }

@@ -49,6 +49,26 @@ TEST(SurfacePaper, TwoCirclesGiveASphere) {
                 0.3 * surface.distance.cell);
 }
 
+TEST(SurfacePaper, FatnessBulgesBetweenSilhouettesThatStay) {
+  Part part = drawn::two_circles();
+  double last = 0;
+  for (const double fatness : {0.6, 1.0, 1.5}) {
+    part.fatness = fatness;
+    const PartSurface surface = surface_of(part);
+    expect_sound(surface, 0);
+    expect_silhouettes(part, surface.mesh, 0.985);
+    const double volume = signed_volume(surface.mesh);
+    EXPECT_GT(volume, 1.03 * last) << fatness;
+    last = volume;
+  }
+}
+
+TEST(SurfacePaper, ThinPartsAreThinnedNoFurtherThanTheyHold) {
+  Part ring = drawn::ring();
+  ring.fatness = 0.1;
+  expect_sound(surface_of(ring, 40), 1);
+}
+
 TEST(SurfacePaper, ARingKeepsItsHole) {
   const Part part = drawn::ring();
   const PartSurface surface = surface_of(part, 40);

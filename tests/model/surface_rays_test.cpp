@@ -52,6 +52,20 @@ TEST(SurfaceRays, TwoCirclesGiveASphere) {
   EXPECT_NEAR(signed_volume(surface.mesh), 4 * kPi / 3, 0.01 * 4 * kPi / 3);
 }
 
+// Cones that open so fast leave a hull far larger than the ball.
+TEST(SurfaceRays, ABallDrawnFromNearIsABall) {
+  for (const double distance : {2.0, 3.0}) {
+    const Part part = drawn::near_ball(distance);
+    const PartSurface surface = surface_of(part, 64);
+    expect_sound(surface);
+    expect_silhouettes(part, surface.mesh, 0.99);
+    double mean = 0;
+    for (int v = 0; v < surface.mesh.V.rows(); ++v)
+      mean += std::abs(surface.mesh.V.row(v).norm() - 1) / double(surface.mesh.V.rows());
+    EXPECT_LT(mean, 0.55 / std::pow(distance, 3)) << "from " << distance;
+  }
+}
+
 TEST(SurfaceRays, ThreeEllipsesGiveAnEllipsoid) {
   const Part part = drawn::part({{from_front(), {ellipse(0.8, 1)}, {}},
                                  {from_right(), {ellipse(0.5, 1)}, {}},
