@@ -14,6 +14,8 @@ constexpr double kLeastFacing = 0.1;    // cosine; nearer to grazing, a drawing 
 constexpr double kStep = 4;             // pixels of depth between neighbours that make an edge
 constexpr double kMirrorReach = 0.04;   // of the figure's size: how unlike its two sides may be
 constexpr float kPulledQuality = 0.4f;  // of a triangle whose colour comes from farther inside
+constexpr float kSquarely = 0.5f;       // quality: what is seen less well takes no lines of ink
+constexpr float kInkDarker = 0.08f;     // than what is beside it
 
 constexpr std::array<std::array<int, 2>, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
@@ -96,6 +98,64 @@ float ink_width(const Overlay& o, const std::vector<float>& distance) {
   return float(b) + 1.5f;
 }
 
+// Spreads colours to the pixels of the model that have none, without crossing an outline.
+void spread(const Overlay& o, std::vector<Rgb>& colour, std::vector<std::uint8_t>& state) {
+  std::vector<std::array<int, 2>> queue;  // coloured, beside what isn't yet
+  for (int y = 0; y < o.seen.height; ++y)
+    for (int x = 0; x < o.seen.width; ++x)
+      if (state[o.index(x, y)] == Sketch::drawn &&
+          std::any_of(kBeside.begin(), kBeside.end(), [&](const auto& to) {
+            return o.inside(x + to[0], y + to[1]) &&
+                   state[o.index(x + to[0], y + to[1])] == Sketch::nothing;
+          }))
+        queue.push_back({x, y});
+  for (std::size_t head = 0; head < queue.size(); ++head) {
+    const int x = queue[head][0], y = queue[head][1];
+    const std::size_t p = o.index(x, y);
+    for (const auto& [dx, dy] : kBeside) {
+      if (!o.inside(x + dx, y + dy)) continue;
+      const std::size_t q = o.index(x + dx, y + dy);
+      if (state[q] != Sketch::nothing || !o.runs_on(p, q)) continue;
+      colour[q] = colour[p];
+      state[q] = Sketch::pulled;
+      queue.push_back({x + dx, y + dy});
+    }
+  }
+}
+
+// Of what is painted; all is light beside it, so that a line along its edge is thin, too.
+std::vector<float> lightness(const Sketch& sketch) {
+  std::vector<float> light(sketch.state.size(), 1.0f);
+  for (std::size_t p = 0; p < light.size(); ++p)
+    if (sketch.state[p] != Sketch::nothing) light[p] = sketch.colour[p].mean();
+  return light;
+}
+
+// Morphological closing by a square of side 2 r + 1: what is dark and thinner than that is filled.
+std::vector<float> without_thin_dark(std::vector<float> light, int width, int height, int r) {
+  const auto filter = [&](int count, int length, std::size_t across, std::size_t along,
+                          const auto& better) {
+    std::vector<float> line(length);
+    for (int i = 0; i < count; ++i) {
+      float* at = &light[i * across];
+      for (int k = 0; k < length; ++k) line[k] = at[k * along];
+      for (int k = 0; k < length; ++k) {
+        float best = line[k];
+        for (int n = std::max(k - r, 0); n <= std::min(k + r, length - 1); ++n)
+          best = better(best, line[n]);
+        at[k * along] = best;
+      }
+    }
+  };
+  const auto both = [&](const auto& better) {
+    filter(height, width, std::size_t(width), 1, better);
+    filter(width, height, 1, std::size_t(width), better);
+  };
+  both([](float a, float b) { return std::max(a, b); });
+  both([](float a, float b) { return std::min(a, b); });
+  return light;
+}
+
 // Takes the drawing's colours where they can be trusted, and spreads them from there to the
 // outlines without crossing one.
 void fill_colours(const Overlay& o, Sketch& sketch) {
@@ -119,27 +179,14 @@ void fill_colours(const Overlay& o, Sketch& sketch) {
       sketch.colour[p] = o.colour(p);
       sketch.state[p] = Sketch::drawn;
     }
-  std::vector<std::array<int, 2>> queue;  // coloured, beside what isn't yet
-  for (int y = 0; y < sketch.height; ++y)
-    for (int x = 0; x < sketch.width; ++x)
-      if (sketch.state[o.index(x, y)] == Sketch::drawn &&
-          std::any_of(kBeside.begin(), kBeside.end(), [&](const auto& to) {
-            return o.inside(x + to[0], y + to[1]) &&
-                   sketch.state[o.index(x + to[0], y + to[1])] == Sketch::nothing;
-          }))
-        queue.push_back({x, y});
-  for (std::size_t head = 0; head < queue.size(); ++head) {
-    const int x = queue[head][0], y = queue[head][1];
-    const std::size_t p = o.index(x, y);
-    for (const auto& [dx, dy] : kBeside) {
-      if (!o.inside(x + dx, y + dy)) continue;
-      const std::size_t q = o.index(x + dx, y + dy);
-      if (sketch.state[q] != Sketch::nothing || !o.runs_on(p, q)) continue;
-      sketch.colour[q] = sketch.colour[p];
-      sketch.state[q] = Sketch::pulled;
-      queue.push_back({x + dx, y + dy});
-    }
-  }
+  spread(o, sketch.colour, sketch.state);
+  sketch.plain = sketch.colour;
+  std::vector<std::uint8_t> state = sketch.state;
+  const std::vector<float> light = lightness(sketch);
+  const std::vector<float> closed = without_thin_dark(light, sketch.width, sketch.height, int(ink));
+  for (std::size_t p = 0; p < state.size(); ++p)
+    if (state[p] == Sketch::pulled || light[p] < closed[p] - kInkDarker) state[p] = Sketch::nothing;
+  spread(o, sketch.plain, state);
 }
 
 // ---------------------------------------------------------------- where the surface stands
@@ -226,7 +273,8 @@ void judge(const Points3& V, const Triangles& F, const FrameCamera& camera, cons
 
 }  // namespace
 
-std::optional<Rgb> Sketch::at(const Vec2& pixel, double depth_there, double reach) const {
+std::optional<Rgb> Sketch::at(const std::vector<Rgb>& colours, const Vec2& pixel,
+                              double depth_there, double reach) const {
   const Vec2 p = pixel - Vec2::Constant(0.5);
   if (!(p.x() > -1 && p.y() > -1 && p.x() < width && p.y() < height)) return std::nullopt;
   const int x = int(std::floor(p.x())), y = int(std::floor(p.y()));
@@ -240,7 +288,7 @@ std::optional<Rgb> Sketch::at(const Vec2& pixel, double depth_there, double reac
       const std::size_t at = std::size_t(v) * width + u;
       const float w = (i ? wx : 1 - wx) * (j ? wy : 1 - wy);
       if (w <= 0 || state[at] == nothing || !(std::abs(depth[at] - depth_there) <= reach)) continue;
-      sum += w * colour[at];
+      sum += w * colours[at];
       all += w;
     }
   if (all <= 0) return std::nullopt;
@@ -256,7 +304,8 @@ std::optional<Rgb> SurfaceView::colour(const std::vector<Sketch>& sketches, cons
     d += weights[k] * depth[F(face, k)];
   }
   if (!p.allFinite()) return std::nullopt;
-  return sketches[sketch].at(p, d, reach);
+  const Sketch& drawn = sketches[sketch];
+  return drawn.at(quality[face] < kSquarely ? drawn.plain : drawn.colour, p, d, reach);
 }
 
 Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const Picture> drawings,

@@ -15,12 +15,14 @@ struct Sketch {
   // Colours to paint the surface with. Within the ink's width of an outline, the model's or that of
   // a part before another, a colour comes from farther inside the same stretch of surface.
   std::vector<Rgb> colour;
+  std::vector<Rgb> plain;  // the same without thin dark lines, for what is seen at a slant
   enum State : std::uint8_t { nothing, pulled, drawn };
   std::vector<std::uint8_t> state;
 
   // The colour of a point at `depth` that projects to `pixel`, of those pixels round it that lie
   // within `reach` units of it; nothing where none does.
-  std::optional<Rgb> at(const Vec2& pixel, double depth, double reach) const;
+  std::optional<Rgb> at(const std::vector<Rgb>& colours, const Vec2& pixel, double depth,
+                        double reach) const;
 };
 
 // The surface as one drawing shows it, or shows its mirror image.

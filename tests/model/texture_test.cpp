@@ -104,6 +104,35 @@ TEST(Texture, InkStaysOutlineAndTheFarSideTakesWhatSurroundsIt) {
     ASSERT_TRUE(is(texel(model, v), kRed, 6)) << model.mesh.V.row(v);
 }
 
+// A line a few pixels inside the outline would be smeared over what turns away there.
+TEST(Texture, LinesOfInkStayWhereTheyAreSeenSquarely) {
+  const Model plain = ball();
+  Picture drawing = disc(kRed);
+  const auto ring = [&](double radius) {
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) {
+        const double r = (Vec2(x + 0.5, y + 0.5) - Vec2::Constant(kSize / 2.0)).norm();
+        unsigned char* p = &drawing.rgba[4 * (y * kSize + x)];
+        const bool here = radius < 0.6 * kScale || (x % 24 < 6 && y < kSize / 2);  // dashes
+        if (std::abs(r - radius) < 1.5 && here) p[0] = kInk.r, p[1] = kInk.g, p[2] = kInk.b;
+      }
+  };
+  ring(0.5 * kScale);
+  ring(0.9 * kScale);
+  const Model model = painted(document_of(plain.skeleton, {0}), {drawing}, plain);
+  int inked = 0;
+  for (int v = 0; v < model.mesh.V.rows(); ++v) {
+    const double z = model.mesh.V(v, 2), r = std::sqrt(1 - z * z);
+    const Colour c = texel(model, v);
+    if (z < 0.45) {
+      EXPECT_TRUE(is(c, kRed, 6)) << model.mesh.V.row(v) << ": " << c.r;
+    } else if (z > 0 && std::abs(r - 0.5) < 0.02) {
+      inked += is(c, kInk, 30);
+    }
+  }
+  EXPECT_GT(inked, 10);
+}
+
 TEST(Texture, EachSideComesFromTheDrawingThatShowsIt) {
   const Model plain = ball();
   // Turned by −90° the model's +x side faces the camera.
