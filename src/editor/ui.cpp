@@ -81,6 +81,8 @@ Panel::Panel(const char* name, const Rect& place, ImU32 ground, Layer layer, flo
   ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                            ImGuiWindowFlags_NoScrollWithMouse;
+  // A panel that appears while a button is held elsewhere would take the press away.
+  flags |= ImGuiWindowFlags_NoFocusOnAppearing;
   if (layer == Layer::base) flags |= ImGuiWindowFlags_NoBringToFrontOnFocus;
   ImGui::Begin(name, nullptr, flags);
   if (layer == Layer::floating) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
