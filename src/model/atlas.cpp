@@ -22,7 +22,8 @@ struct Chart {
 Vec3 normal_of(const Mesh& mesh, int f) {
   const Vec3 a = mesh.V.row(mesh.F(f, 0)).transpose(), b = mesh.V.row(mesh.F(f, 1)).transpose(),
              c = mesh.V.row(mesh.F(f, 2)).transpose();
-  return (b - a).cross(c - a).normalized();
+  const Vec3 normal = (b - a).cross(c - a);
+  return normal.norm() > 0 ? normal.normalized() : Vec3::UnitZ();  // one without area lies anyhow
 }
 
 std::vector<Chart> charts_of(const Mesh& mesh, const FaceNeighbours& neighbours,

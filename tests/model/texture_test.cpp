@@ -195,6 +195,29 @@ TEST(Texture, WithoutDrawingsTheModelStaysPlain) {
   }
 }
 
+TEST(Texture, TrianglesWithoutAreaHaveTheirPlace) {
+  Model plain = ball();
+  Mesh& mesh = plain.mesh;
+  // An edge on the far side is split where one of its ends is.
+  int back = 0;
+  for (int f = 0; f < mesh.F.rows(); ++f)
+    if (mesh.V.row(mesh.F(f, 0)).z() < mesh.V.row(mesh.F(back, 0)).z()) back = f;
+  const Eigen::Index n = mesh.V.rows(), m = mesh.F.rows();
+  const int a = mesh.F(back, 0), b = mesh.F(back, 1), c = mesh.F(back, 2), d = int(n);
+  mesh.V.conservativeResize(n + 1, 3);
+  mesh.V.row(d) = mesh.V.row(a);
+  mesh.F.row(back) << d, b, c;
+  mesh.F.conservativeResize(m + 2, 3);
+  mesh.F.row(m) << a, b, d;
+  mesh.F.row(m + 1) << a, d, c;
+  plain = model_of(plain.skeleton, mesh);
+  const Model model = painted(document_of(plain.skeleton, {0}), {disc(kRed)}, plain);
+  for (const Vec2& uv : model.texcoords) {
+    EXPECT_GE(uv.minCoeff(), 0);
+    EXPECT_LE(uv.maxCoeff(), 1);
+  }
+}
+
 TEST(Texture, TheSameTwice) {
   const Model plain = ball();
   const Document document = document_of(plain.skeleton, {0, -90});
