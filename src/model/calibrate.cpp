@@ -16,7 +16,7 @@ constexpr double kMaxRotation = radians(40);  // users' poses are 8 to 15° off,
 constexpr double kMaxTranslation = 0.25;      // of the rest pose's size
 constexpr double kPixel = 1;                  // between the rays that coverage counts
 constexpr int kMostPixels = 160;              // of one contour
-constexpr int kMostMet = 640;                 // the same, times the frames it is held against
+constexpr int kMostMet = 320;                 // the same, times the frames it is held against
 
 }  // namespace
 
