@@ -55,6 +55,25 @@ void raise_plump(const HermiteSurface& f, const std::vector<RayRim>& rims, doubl
   hull = std::move(field);
 }
 
+// Views up to which each gives all its rays.
+constexpr double kFullViews = 3;
+
+// Indices of the views whose rims are sought. A mirrored outline from a direction that another one
+// has already seen adds nothing but the doubt whether both are right.
+std::vector<int> views_to_ask(const Carving& carving) {
+  std::vector<int> asked;
+  const auto seen = [&](const Silhouette& view) {
+    return std::any_of(asked.begin(), asked.end(), [&](int other) {
+      return same_direction(carving.views[other].direction, view.direction);
+    });
+  };
+  for (int v = 0; v < int(carving.views.size()); ++v) {
+    const Silhouette& view = carving.views[v];
+    if (!view.bounds_only && !(view.view->mirrored && seen(view))) asked.push_back(v);
+  }
+  return asked;
+}
+
 }  // namespace
 
 Result<RaysField> rays_field(const Part& part, const RaysFieldOptions& options, Run& run) {
@@ -74,21 +93,15 @@ Result<RaysField> rays_field(const Part& part, const RaysFieldOptions& options, 
     return out;
   }
   const Box3 box = out.distance.box();
-  // A mirrored outline from a direction that another one has already seen adds nothing but the
-  // doubt whether both are right.
-  std::vector<Vec3> directions;
-  const int rays = std::clamp(int(options.rays_per_cell * options.cells), 24, 96);
-  for (int v = 0; v < int(carving->views.size()); ++v) {
-    const Silhouette& view = carving->views[v];
-    const bool seen = std::any_of(directions.begin(), directions.end(),
-                                  [&](const Vec3& d) { return same_direction(d, view.direction); });
-    if (view.bounds_only || (view.view->mirrored && seen)) continue;
-    directions.push_back(view.direction);
-    for (RayRim& rim : outline_rays(view, rays)) {
+  const std::vector<int> asked = views_to_ask(*carving);
+  // The rims' equations are dense: with many views each gives fewer rays.
+  const double most = options.rays_per_cell * options.cells;
+  const int rays = int(std::clamp(std::min(most, kFullViews * most / asked.size()), 16.0, 96.0));
+  for (const int v : asked)
+    for (RayRim& rim : outline_rays(carving->views[v], rays)) {
       rim.view = v;
       out.rims.push_back(std::move(rim));
     }
-  }
   for (RayRim& rim : out.rims) choose_depths(*carving, box, rim);
   // The depths are sought on looser and coarser surfaces, which don't fold to pass through points
   // whose depths are still wrong.

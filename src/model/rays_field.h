@@ -10,7 +10,8 @@ namespace artisketch {
 
 struct RaysFieldOptions {
   int cells = 100;              // along the longest side of the grid
-  double rays_per_cell = 0.64;  // rays per view and `cells` on which rims are sought, 24 … 96
+  double rays_per_cell = 0.64;  // rays per view and `cells` on which rims are sought, 16 … 96;
+                                // of more than three views as many as of three
   int refits = 2;               // times that the rims are sought again on the surface they gave
   HermiteOptions surface;
 };
