@@ -116,7 +116,8 @@ struct Rim {
 struct PartSurface {
   int joint = 0;
   Mesh mesh;              // closed, oriented 2-manifold in rest space
-  Grid3<float> distance;  // signed distance to it on the part's grid, exact near the surface
+  Grid3<float> distance;  // signed distance to it on the part's grid: to first order, a few cells
+                          // to both sides at most
   std::vector<Rim> rims;
   std::vector<std::string> warnings;
 };

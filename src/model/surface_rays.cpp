@@ -1,11 +1,12 @@
 // A part's surface by its contour rays: the default method. Steps in rays_field.
-#include "base/redistance.h"
+#include <algorithm>
+
 #include "model/rays_field.h"
 
 namespace artisketch {
 
-// Cells within which the part's distances are true.
-constexpr double kBand = 4;
+// Cells to which the part's distances reach: where parts lie deep in each other all are as deep.
+constexpr float kDeepest = 4;
 
 Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options, Run& run) {
   PartSurface out;
@@ -25,7 +26,8 @@ Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options
   Result<Mesh> mesh = isosurface(out.distance);
   if (!mesh) return mesh.error();
   out.mesh = std::move(*mesh);
-  redistance(kBand, out.distance);
+  const float most = kDeepest * float(out.distance.cell);
+  for (float& v : out.distance.values) v = std::clamp(v, -most, most);
   return out;
 }
 
