@@ -142,6 +142,13 @@ Box3 bounds(const Points3& points) {
   return box;
 }
 
+double position_step(const Points3& points) {
+  constexpr int kBits = 16;
+  int exponent = 0;
+  std::frexp(bounds(points).sizes().maxCoeff(), &exponent);
+  return std::ldexp(1, exponent - kBits);
+}
+
 Adjacency vertex_adjacency(const Mesh& mesh) {
   std::vector<std::pair<int, int>> pairs;
   pairs.reserve(6 * mesh.F.rows());

@@ -45,6 +45,10 @@ double signed_volume(const Mesh& mesh);  // positive for closed, outward-facing 
 double surface_area(const Mesh& mesh);
 Box3 bounds(const Points3& points);
 
+// The step, a power of two, to which positions are rounded in files: 2⁻¹⁶ to 2⁻¹⁵ of the points'
+// extent, a hundredth of a pixel. points: not empty.
+double position_step(const Points3& points);
+
 // The vertices next to each vertex: those of v are neighbours[offsets[v] .. offsets[v + 1]).
 struct Adjacency {
   std::vector<int> offsets;  // #V + 1

@@ -18,8 +18,7 @@ constexpr std::array<double, 4> kPlainColour = {0.8, 0.76, 0.7, 1};  // warm lig
 constexpr double kRoughness = 0.9;
 
 // Numbers are as fine as anyone can see and no finer: bits that say nothing don't compress. All
-// steps are powers of two.
-constexpr int kPositionBits = 16;  // of the model's size: a hundredth of a pixel
+// steps are powers of two, as position_step is.
 constexpr double kNormalStep = 0x1p-11;
 constexpr double kTexcoordStep = 0x1p-14;  // a sixteenth of a texel of a usual atlas
 // Each step is exact in single precision, and so is their sum.
@@ -90,12 +89,6 @@ std::vector<float> rounded(const Points3& rows, double step) {
   for (Eigen::Index i = 0; i < rows.rows(); ++i)
     for (Eigen::Index c = 0; c < rows.cols(); ++c) values.push_back(rounded(rows(i, c), step));
   return values;
-}
-
-double position_step(const Points3& V) {
-  int exponent = 0;
-  std::frexp((V.colwise().maxCoeff() - V.colwise().minCoeff()).maxCoeff(), &exponent);
-  return std::ldexp(1, exponent - kPositionBits);
 }
 
 template <class Numbers>

@@ -13,7 +13,8 @@ void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointS
           const Settled& settled, QuadMesh& mesh);
 
 // Smooths around the places where the surface passes through itself until it no longer does, or
-// for a few rounds. Returns how many pairs of triangles still cross.
+// for a few rounds. Positions come out rounded by position_step: what no longer crosses here does
+// not cross in a file either. Returns how many pairs of triangles still cross.
 int untangle(Mesh& mesh);
 
 }  // namespace artisketch

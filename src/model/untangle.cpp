@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "base/self_intersection.h"
 #include "model/fair.h"
@@ -8,6 +9,10 @@ namespace artisketch {
 int untangle(Mesh& mesh) {
   constexpr int kRounds = 20;
   constexpr int kSteps = 4;  // of smoothing, per round
+  if (mesh.V.rows() == 0) return 0;
+  const double step = position_step(mesh.V);
+  const auto rounded = [&](double x) { return std::nearbyint(x / step) * step; };
+  mesh.V = mesh.V.unaryExpr(rounded);
   Adjacency adjacency;
   std::vector<int> rings(mesh.V.rows(), 0);  // how wide to smooth, wider where it didn't help
   for (int round = 0;; ++round) {
@@ -40,6 +45,7 @@ int untangle(Mesh& mesh) {
       }
       for (std::size_t k = 0; k < moving.size(); ++k) mesh.V.row(moving[k]) = next.row(k);
     }
+    for (const int v : moving) mesh.V.row(v) = mesh.V.row(v).unaryExpr(rounded);
   }
 }
 
