@@ -3,8 +3,8 @@
 namespace artisketch {
 namespace {
 
-struct Foot {  // the nearest point on a line found so far, in steps
-  float x = 0, y = 0;
+struct Foot {  // the nearest point on a line found so far, in steps; before that, one far away
+  float x = 1e12f, y = 1e12f;
   float d2 = std::numeric_limits<float>::max();
 };
 
@@ -37,34 +37,26 @@ void splat_in_pieces(const Vec2& a, const Vec2& b, float band, int nx, int ny,
     splat(a + d * (double(i) / pieces), a + d * (double(i + 1) / pieces), band, nx, ny, feet);
 }
 
-// Hands every sample its neighbours' feet, there and back (Danielsson 1980).
+// Hands every sample its neighbours' feet, there and back (Danielsson's 4SED, 1980).
 void sweep(int nx, int ny, std::vector<Foot>& feet) {
   const auto take = [&](int x, int y, int from_x, int from_y) {
     const Foot& other = feet[std::size_t(from_y) * nx + from_x];
-    if (other.d2 == std::numeric_limits<float>::max()) return;
     Foot& mine = feet[std::size_t(y) * nx + x];
     const float dx = float(x) - other.x, dy = float(y) - other.y, d2 = dx * dx + dy * dy;
     if (d2 < mine.d2) mine = {other.x, other.y, d2};
   };
-  for (int y = 0; y < ny; ++y) {
-    for (int x = 0; x < nx; ++x) {
-      if (y > 0) {
-        take(x, y, x, y - 1);
-        if (x > 0) take(x, y, x - 1, y - 1);
-        if (x + 1 < nx) take(x, y, x + 1, y - 1);
-      }
-      if (x > 0) take(x, y, x - 1, y);
-    }
+  const auto along = [&](int y) {
+    for (int x = 1; x < nx; ++x) take(x, y, x - 1, y);
     for (int x = nx - 2; x >= 0; --x) take(x, y, x + 1, y);
+  };
+  along(0);
+  for (int y = 1; y < ny; ++y) {
+    for (int x = 0; x < nx; ++x) take(x, y, x, y - 1);
+    along(y);
   }
   for (int y = ny - 2; y >= 0; --y) {
-    for (int x = 0; x < nx; ++x) {
-      take(x, y, x, y + 1);
-      if (x > 0) take(x, y, x - 1, y + 1);
-      if (x + 1 < nx) take(x, y, x + 1, y + 1);
-      if (x > 0) take(x, y, x - 1, y);
-    }
-    for (int x = nx - 2; x >= 0; --x) take(x, y, x + 1, y);
+    for (int x = 0; x < nx; ++x) take(x, y, x, y + 1);
+    along(y);
   }
 }
 

@@ -38,10 +38,22 @@ Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Bo
   const double step = room.diagonal().norm() / kSteps;
   std::array<float, kSteps + 1> along;
   along.fill(-std::numeric_limits<float>::infinity());
-  for (const Silhouette* other : others)
-    other->raise(ray.at(first), step * ray.direction, kSteps + 1, along.data(),
-                 Silhouette::Unit::pixels);
-  const auto nearest = std::min_element(along.begin(), along.end());
+  // No view lowers a sample: what is farther out already than some sample is for all views needn't
+  // be asked again.
+  int begin = 0, end = kSteps + 1;
+  float bound = std::numeric_limits<float>::infinity();
+  for (std::size_t v = 0; v < others.size(); ++v) {
+    others[v]->raise(ray.at(first + begin * step), step * ray.direction, end - begin,
+                     along.data() + begin, Silhouette::Unit::pixels);
+    if (v + 1 == others.size()) break;
+    const int best =
+        int(std::min_element(along.begin() + begin, along.begin() + end) - along.begin());
+    constexpr float kRounding = 1e-3f;  // pixels
+    if (v == 0) bound = float(outside(first + best * step)) + kRounding;
+    while (begin < best && along[begin] > bound) ++begin;
+    while (end > best + 1 && along[end - 1] > bound) --end;
+  }
+  const auto nearest = std::min_element(along.begin() + begin, along.begin() + end);
   double least = *nearest;
   double at = std::isinf(least) ? middle : first + step * double(nearest - along.begin());
   if (least <= enough) return {least, ray.at(at)};

@@ -92,14 +92,18 @@ Box3 hull_box(const Carving& carving) {
     const auto outward = [](int i) { return n / 2 + (i % 2 ? -(i + 1) / 2 : i / 2); };
     float row[n];
     const auto ask = [&](int begin, int end, int j, int k) {
-      if (begin >= end) return;
-      const Vec3 start = box.min() + Vec3(begin + 0.5, j + 0.5, k + 0.5).cwiseProduct(step);
+      const Vec3 start = box.min() + Vec3(0.5, j + 0.5, k + 0.5).cwiseProduct(step);
       const Vec3 along(step.x(), 0, 0);
-      for (int i = 0; i < end - begin; ++i)
-        row[i] = float(carving.slab.distance(start + i * along));
-      for (const Silhouette& view : carving.views) view.raise(start, along, end - begin, row);
+      for (int i = begin; i < end; ++i) row[i] = float(carving.slab.distance(start + i * along));
+      for (const Silhouette& view : carving.views) {
+        // What one view leaves out needn't be asked of the others.
+        while (begin < end && row[begin] > reach) ++begin;
+        while (begin < end && row[end - 1] > reach) --end;
+        if (begin == end) return;
+        view.raise(start + begin * along, along, end - begin, row + begin);
+      }
       for (int i = begin; i < end; ++i)
-        if (row[i - begin] <= reach) {
+        if (row[i] <= reach) {
           from = from.cwiseMin(Index3(i, j, k));
           to = to.cwiseMax(Index3(i, j, k));
         }
@@ -166,27 +170,40 @@ void raise_row(const Silhouette& s, const Vec3f& X, const Vec3f& d, int n, float
   const bool pixels = unit == Silhouette::Unit::pixels;
   const float px = float(camera.principal_point.x()), py = float(camera.principal_point.y());
   const float x = X.x(), y = X.y(), dx = d.x(), dy = d.y(), grown = float(s.grown);
+  constexpr int kLanes = 4;
+  float u[kLanes], v[kLanes], distances[kLanes];
   if (camera.camera.type == Camera::Type::orthographic) {
     const float scale = float(camera.pixels_per_unit(0)), per_scale = pixels ? 1 : 1 / scale;
     const float u0 = px + scale * x, du = scale * dx, v0 = py - scale * y, dv = -scale * dy;
-    for (int i = 0; i < n; ++i) {
-      const float distance = s.raster.distance(u0 + float(i) * du, v0 + float(i) * dv);
-      values[i] = std::max(values[i], (distance - grown) * per_scale);
+    for (int from = 0; from < n; from += kLanes) {
+      for (int l = 0; l < kLanes; ++l) {
+        u[l] = u0 + float(from + l) * du;
+        v[l] = v0 + float(from + l) * dv;
+      }
+      s.raster.distances(u, v, distances);
+      for (int l = 0; l < std::min(kLanes, n - from); ++l)
+        values[from + l] = std::max(values[from + l], (distances[l] - grown) * per_scale);
     }
     return;
   }
   const float f = float(camera.camera.focal_length);
   const float w = float(camera.camera.distance) - X.z(), dw = -d.z();
-  for (int i = 0; i < n; ++i) {
-    const float depth = w + float(i) * dw;
-    if (depth <= 0) {
-      values[i] = std::numeric_limits<float>::infinity();
-      continue;
+  for (int from = 0; from < n; from += kLanes) {
+    float depth[kLanes];
+    for (int l = 0; l < kLanes; ++l) {
+      depth[l] = w + float(from + l) * dw;
+      const float scale = f / depth[l];
+      u[l] = px + scale * (x + float(from + l) * dx);
+      v[l] = py - scale * (y + float(from + l) * dy);
     }
-    const float scale = f / depth;
-    const float u = px + scale * (x + float(i) * dx), v = py - scale * (y + float(i) * dy);
-    const float distance = s.raster.distance(u, v) - grown;
-    values[i] = std::max(values[i], pixels ? distance : distance / scale);
+    s.raster.distances(u, v, distances);
+    for (int l = 0; l < std::min(kLanes, n - from); ++l) {
+      float& value = values[from + l];
+      if (depth[l] <= 0)
+        value = std::numeric_limits<float>::infinity();
+      else
+        value = std::max(value, (distances[l] - grown) * (pixels ? 1 : depth[l] / f));
+    }
   }
 }
 
@@ -260,6 +277,7 @@ Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double b
   constexpr int kBlock = 4;
   constexpr double kStretch = 1.2;
   const double reach = kStretch * g.cell * (kBlock - 1) / 2.0 * std::sqrt(3.0);
+  const double beyond = reach + band * g.cell;
   std::vector<double> at_centre(carving.views.size());
   for (int k0 = 0; k0 < g.size.z(); k0 += kBlock) {
     if (run.cancelled()) return cancelled();
@@ -268,9 +286,9 @@ Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double b
         const Vec3 centre =
             g.origin + g.cell * (Vec3(i0, j0, k0) + Vec3::Constant((kBlock - 1) / 2.0));
         double most = carving.slab.distance(centre);
-        for (std::size_t v = 0; v < at_centre.size(); ++v)
+        for (std::size_t v = 0; v < at_centre.size() && most <= beyond; ++v)
           most = std::max(most, at_centre[v] = carving.views[v].distance(centre));
-        const bool far = std::abs(most) > reach + band * g.cell;
+        const bool far = std::abs(most) > beyond;
         const Index3 n = (g.size - Index3(i0, j0, k0)).cwiseMin(kBlock);
         for (int k = k0; k < k0 + n.z(); ++k)
           for (int j = j0; j < j0 + n.y(); ++j) {
