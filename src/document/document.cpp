@@ -30,6 +30,12 @@ std::vector<Polyline> contours_of(const Frame& frame, int joint) {
   return lines;
 }
 
+bool is_hidden(const Frame& frame, int joint) {
+  const auto outlines = [joint](const Contour& contour) { return contour.joint == joint; };
+  return std::find(frame.hidden.begin(), frame.hidden.end(), joint) != frame.hidden.end() &&
+         std::none_of(frame.contours.begin(), frame.contours.end(), outlines);
+}
+
 std::vector<int> drawn_joints(const Document& document) {
   std::set<int> joints;
   for (const Frame& frame : document.frames)

@@ -31,6 +31,7 @@ struct Frame {
   double scale = 1;                     // orthographic cameras: times pixels_per_unit
   Pose pose;                            // the user's estimate
   std::vector<Contour> contours;
+  std::vector<int> hidden;  // joints whose part the drawing doesn't show (is_hidden)
   std::string unknown;
 };
 
@@ -106,6 +107,10 @@ double pixel_size(const Document& document);
 
 // The lines that outline a joint's part in a frame, in the order drawn.
 std::vector<Polyline> contours_of(const Frame& frame, int joint);
+
+// Whether the drawing doesn't show the joint's part, as the artist says: where it has an outline
+// all the same, that counts.
+bool is_hidden(const Frame& frame, int joint);
 
 // Joints that carry a contour in at least one frame, ascending.
 std::vector<int> drawn_joints(const Document& document);

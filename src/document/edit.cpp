@@ -95,6 +95,17 @@ Document with_pose(Document document, int frame, Pose pose) {
   return document;
 }
 
+Document with_poses_of(Document document, const Document& other) {
+  if (other.frames.size() != document.frames.size() ||
+      other.skeleton.size() != document.skeleton.size())
+    return document;
+  for (std::size_t f = 0; f < document.frames.size(); ++f) {
+    document.frames[f].pose = other.frames[f].pose;
+    document.frames[f].scale = other.frames[f].scale;
+  }
+  return document;
+}
+
 Document with_camera_type(Document document, Camera::Type type) {
   Camera& camera = document.camera;
   if (camera.type == type) return document;
@@ -125,6 +136,7 @@ std::vector<Contour>& contours_in(Document& document, int frame, int contour = 0
 }  // namespace
 
 Document with_contour(Document document, int frame, Contour contour) {
+  document = with_hidden(std::move(document), frame, contour.joint, false);
   contours_in(document, frame).push_back(std::move(contour));
   return document;
 }
@@ -137,7 +149,7 @@ Document without_contour(Document document, int frame, int contour) {
 
 Document with_contour_joint(Document document, int frame, int contour, int joint) {
   contours_in(document, frame, contour)[contour].joint = joint;
-  return document;
+  return with_hidden(std::move(document), frame, joint, false);
 }
 
 Document with_contour_points(Document document, int frame, int contour, std::vector<Vec2> points) {

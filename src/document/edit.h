@@ -39,6 +39,9 @@ Document without_frame(Document document, int frame);
 Document with_frame_moved(Document document, int frame, int to);
 Document with_frame_copied(Document document, int frame);  // right after it
 Document with_pose(Document document, int frame, Pose pose);
+// At the poses and scales of another document of as many drawings and joints; as it is where those
+// differ.
+Document with_poses_of(Document document, const Document& other);
 // The other kind of camera, which shows what stands at depth 0 as large as before; a perspective
 // one stands four figures' heights away.
 Document with_camera_type(Document document, Camera::Type type);
@@ -63,6 +66,14 @@ Document with_contour_copied(Document document, int frame, int contour, int to_f
 // The mirror image for the mirror joint, across the joint's own middle line in the drawing.
 // Nothing where the joint has no mirror joint.
 std::optional<Document> with_contour_mirrored(const Document& document, int frame, int contour);
+
+// The joint's part is marked as one that the drawing doesn't show, or no longer; an outline that it
+// gets there unmarks it, too.
+Document with_hidden(Document document, int frame, int joint, bool hidden);
+
+// Whether no edge of a joint's part shows in the drawing: its closed contours run inside those of
+// other parts in front of it, but for a twentieth of their length. False where it has none.
+bool inside_other_parts(const Frame& frame, int joint);
 
 // A freehand stroke as an outline: smoothed over `smooth` pixels, simplified to within `error`
 // pixels, closed where its ends are within `reach` of each other, without the small loop that a

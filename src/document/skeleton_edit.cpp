@@ -41,13 +41,23 @@ std::map<int, T> renumbered(const std::map<int, T>& old, const std::vector<int>&
   return result;
 }
 
+std::vector<int> renumbered(const std::vector<int>& old, const std::vector<int>& now) {
+  std::vector<int> result;
+  for (const int joint : old)
+    if (now[joint] != kNone) result.push_back(now[joint]);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 // What counts joints, by the new numbers: now[old], −1 where there is none any more. Contours go to
 // heir[old].
 Document with_numbers(Document document, Skeleton skeleton, const std::vector<int>& now,
                       const std::vector<int>& heir) {
-  for (Frame& frame : document.frames)
+  for (Frame& frame : document.frames) {
     for (Contour& contour : frame.contours)
       contour.joint = contour.joint == kNone ? kNone : heir[contour.joint];
+    frame.hidden = renumbered(frame.hidden, now);
+  }
   each_pose(document, [&](Pose& pose) {
     std::vector<Quat> rotations(std::size_t(skeleton.size()), Quat::Identity());
     for (std::size_t j = 0; j < pose.rotations.size(); ++j)
@@ -56,11 +66,7 @@ Document with_numbers(Document document, Skeleton skeleton, const std::vector<in
   });
   document.spheres = renumbered(document.spheres, now);
   document.parts = renumbered(document.parts, now);
-  std::vector<int> locked;
-  for (int joint : document.calibration.locked)
-    if (now[joint] != kNone) locked.push_back(now[joint]);
-  std::sort(locked.begin(), locked.end());
-  document.calibration.locked = std::move(locked);
+  document.calibration.locked = renumbered(document.calibration.locked, now);
   auto& moved = document.motion.joints;
   for (auto& [name, joint] : moved) joint = joint == kNone ? kNone : now[joint];
   moved.erase(std::remove_if(moved.begin(), moved.end(),

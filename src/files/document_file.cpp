@@ -41,6 +41,7 @@ class Reader : JsonReader {
 
  private:
   bool joint(const Json& value, const JsonPath& at, int& out);
+  void joints(const Json& value, const JsonPath& at, std::vector<int>& out);
   // Calls read(joint, value, path) for each field of an object keyed by joints.
   template <class Read>
   void by_joint(const Json& value, const JsonPath& at, const char* right, const Read& read);
@@ -93,6 +94,12 @@ bool Reader::joint(const Json& value, const JsonPath& at, int& out) {
            false;
   out = found->second;
   return true;
+}
+
+void Reader::joints(const Json& value, const JsonPath& at, std::vector<int>& out) {
+  if (!is_list(&value, at, kMostJoints)) return;
+  for (std::size_t i = 0; i < value.size(); ++i)
+    if (int j = 0; joint(value[i], at / i, j)) out.push_back(j);
 }
 
 template <class Read>
@@ -280,6 +287,7 @@ void Reader::frame(const Json& value, const JsonPath& at, int index) {
     for (std::size_t i = 0; i < v->size(); ++i)
       contour((*v)[i], contours / i, frame_words(index, frame.name), frame.contours[i]);
   }
+  if (const Json* v = fields.find("hidden")) joints(*v, at / "hidden", frame.hidden);
   frame.unknown = fields.unknown();
 }
 
@@ -398,10 +406,7 @@ void Reader::calibration(const Json& value, const JsonPath& at) {
   if (const Json* v = fields.find("max_translation");
       v && number(*v, at / "max_translation", kNotNegative, x))
     limits.max_translation = x;
-  const JsonPath locked = at / "locked";
-  if (const Json* v = fields.find("locked"); is_list(v, locked, kMostJoints))
-    for (std::size_t i = 0; i < v->size(); ++i)
-      if (int j = 0; joint((*v)[i], locked / i, j)) limits.locked.push_back(j);
+  if (const Json* v = fields.find("locked")) joints(*v, at / "locked", limits.locked);
   if (const Json* v = fields.find("free_first_frame"))
     boolean(*v, at / "free_first_frame", limits.free_first_frame);
   if (const Json* v = fields.find("scale"); v && boolean(*v, at / "scale", limits.scale))

@@ -137,6 +137,7 @@ Json Writer::frame(const Frame& frame) const {
     for (const Vec2& point : contour.line.points) points.push_back(numbers(point));
     contours.push_back(with_unknown(std::move(one), contour.unknown));
   }
+  for (const int joint : frame.hidden) out["hidden"].push_back(name(joint));
   return with_unknown(std::move(out), frame.unknown);
 }
 

@@ -56,6 +56,19 @@ TEST(History, UndoAndRedoLeadBackToTheSameStateByItsName) {
   EXPECT_EQ(history.now().frames[0].contours.size(), 1u);
 }
 
+TEST(Edit, PosesOfAnotherDocumentAreTakenWholeOrNotAtAll) {
+  const Document mine = with_contour(figure(), 0, {3, circle({200, 200}, 20), ""});
+  Document other = figure();
+  other.frames[0].pose.root_position = {1, 2, 3};
+  other.frames[0].scale = 1.5;
+  const Document posed = with_poses_of(mine, other);
+  EXPECT_EQ(posed.frames[0].pose.root_position, Vec3(1, 2, 3));
+  EXPECT_EQ(posed.frames[0].scale, 1.5);
+  EXPECT_EQ(posed.frames[0].contours.size(), 1u);
+  other.frames.push_back(other.frames[0]);
+  EXPECT_EQ(with_poses_of(mine, other).frames[0].scale, 1);
+}
+
 TEST(History, AnEditAfterUndoDropsWhatWasUndone) {
   History history(figure());
   history.commit("one", figure());
