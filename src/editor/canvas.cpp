@@ -70,10 +70,12 @@ void paint_model(Work& work, const FrameCamera& camera, const OnScreen& on, cons
   const std::vector<Clip>& clips = shown.model.clips;
   if (clips.empty() || work.view.frame >= int(clips[0].poses.size())) return;
   const Pose& pose = clips[0].poses[std::size_t(work.view.frame)];
-  // In Pose the model stands as the person has it, so that what does not fit shows.
+  // In Pose the model stands as the person has it, so that what does not fit shows; while nothing
+  // has changed since, as it was made.
   const Pose drawn = work.drawn_pose();
-  const bool theirs = (work.view.mode == Mode::pose || work.shows_parts()) &&
-                      drawn.rotations.size() == pose.rotations.size();
+  const bool posing = work.view.mode == Mode::pose && !work.as_built();
+  const bool theirs =
+      (posing || work.shows_parts()) && drawn.rotations.size() == pose.rotations.size();
   shown.picture->pose(theirs ? drawn : pose, Vec3::Zero());
   const Eye eye = sketch_eye(camera, on.origin, on.zoom, place);
   PaintOptions options;

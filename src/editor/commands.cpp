@@ -66,6 +66,8 @@ constexpr CommandWords kCommands[] = {
      "Join with the outline that you click next"},
     {Command::mend, "Mend", icon::kAutoFix, ImGuiKey_M, false, true,
      "Put right where the outline crosses itself"},
+    {Command::hidden_here, "Hidden here", icon::kEyeOff, ImGuiKey_H, false, true,
+     "This drawing doesn't show the part: nothing is missing"},
     {Command::both_sides, "Mirror", icon::kCompare, ImGuiKey_X, false, false,
      "Do to both sides what is done to one"},
     {Command::equalise, "Equalise", icon::kSwapHorizontal, ImGuiKey_L, false, false,

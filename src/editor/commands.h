@@ -54,6 +54,7 @@ enum class Command {
   other_joint,
   join,
   mend,
+  hidden_here,
   both_sides,
   equalise,
   rename,

@@ -1,9 +1,29 @@
+#include <algorithm>
+
 #include "document/edit.h"
 #include "document/templates.h"
 #include "editor/new_outline.h"
 #include "editor/panels.h"
 
 namespace artisketch {
+
+std::string fit_in_words(const Work& work, int joint, int frame) {
+  const std::string name = drawing_words(work.document(), frame);
+  switch (fit_of(work, joint, frame)) {
+    case Fit::missing:
+      return "Missing in " + name;
+    case Fit::hidden:
+      return "Hidden in " + name;
+    case Fit::inside:
+      return "Inside other parts: no edge to compare";
+    case Fit::off:
+      return std::to_string(int(distance_of(work, joint, frame) + 0.5)) + " px off in " + name;
+    case Fit::outlined:
+      return "Outlined in " + name;
+  }
+  return "";
+}
+
 void part_name(Rect row, const std::string& name, bool chosen) {
   const JointWords words = joint_words(name);
   const Font face = chosen ? Font::body_bold : Font::body;
@@ -15,10 +35,14 @@ void part_name(Rect row, const std::string& name, bool chosen) {
 
 namespace {
 
-// A part's colour: a disc where it is outlined, a ring where it is missing, with a triangle where
-// it does not fit.
+// A part's colour: a disc where it is outlined, a ring where it is missing, a dash where it is
+// hidden, with a triangle where it does not fit.
 void paint_mark(ImVec2 at, int joint, Fit fit) {
   const Theme& t = theme();
+  if (fit == Fit::hidden) {
+    draw().AddLine({at.x - 4, at.y}, {at.x + 4, at.y}, t.disabled, 1.5f);
+    return;
+  }
   if (fit == Fit::missing) {
     draw().AddCircle(at, 4, t.disabled, 0, 1.25f);
     return;
@@ -32,19 +56,6 @@ void paint_mark(ImVec2 at, int joint, Fit fit) {
                              t.warning);
 }
 
-std::string fit_in_words(const Work& work, int joint, int frame) {
-  const std::string name = drawing_words(work.document(), frame);
-  switch (fit_of(work, joint, frame)) {
-    case Fit::missing:
-      return "Missing in " + name;
-    case Fit::off:
-      return std::to_string(int(distance_of(work, joint, frame) + 0.5)) + " px off in " + name;
-    case Fit::outlined:
-      return "Outlined in " + name;
-  }
-  return "";
-}
-
 void choose(Work& work, int joint, int frame) {
   if (work.view.picking_joint && work.has_frame()) return reassign(work, joint);
   work.view.joint = joint;
@@ -56,11 +67,12 @@ void choose(Work& work, int joint, int frame) {
     if (contours[std::size_t(i)].joint == joint) work.view.contour = i;
 }
 
-void legend(Rect row) {
+void legend(Rect row, bool hidden) {
   const Theme& t = theme();
+  const float gap = hidden ? 8 : 14;
   const auto entry = [&](const char* words) {
     write(row.cut_left(text_width(Font::small, words) + 1), Font::small, t.muted, words);
-    row.cut_left(14);
+    row.cut_left(gap);
   };
   draw().AddCircleFilled({row.x + 5, row.centre().y}, 4, t.muted);
   row.cut_left(14);
@@ -68,10 +80,15 @@ void legend(Rect row) {
   draw().AddCircle({row.x + 5, row.centre().y}, 4, t.muted, 0, 1.25f);
   row.cut_left(14);
   entry("missing");
+  if (hidden) {
+    draw().AddLine({row.x + 1, row.centre().y}, {row.x + 9, row.centre().y}, t.muted, 1.5f);
+    row.cut_left(14);
+    entry("hidden");
+  }
   draw().AddTriangleFilled({row.x + 5, row.centre().y - 4}, {row.x + 0.5f, row.centre().y + 4},
                            {row.x + 9.5f, row.centre().y + 4}, t.warning);
   row.cut_left(14);
-  entry("does not fit");
+  entry(hidden ? "off" : "does not fit");
 }
 
 // Parts by drawings: what is outlined, missing, off; a click goes there.
@@ -138,15 +155,17 @@ void part_chips(Work& work, Rect place) {
   all.on = work.view.all_drawings;
   if (button("All drawings", head.cut_right(126), all))
     work.view.all_drawings = !work.view.all_drawings;
+  if (available(work, Command::hidden_here)) {
+    head.cut_right(8);
+    command_button(work, Command::hidden_here, head.cut_right(132), hidden_look(work));
+  }
   const std::vector<int> parts = parts_to_draw(document);
-  int outlined = 0;
-  for (int joint : parts)
-    outlined += work.has_frame() && fit_of(work, joint, work.view.frame) != Fit::missing;
+  const PartCount count = work.has_frame() ? count_parts(work, work.view.frame) : PartCount();
   const std::string title =
       "Parts" + (work.has_frame() ? " in " + drawing_words(document, work.view.frame) : "");
   write(head.cut_left(text_width(Font::title, title) + 12), Font::title, t.text, title);
   write(head, Font::caption, t.muted,
-        std::to_string(outlined) + " of " + std::to_string(parts.size()));
+        std::to_string(count.outlined) + " of " + std::to_string(count.all));
   if (work.view.all_drawings) {
     matrix(work, place);
     return;
@@ -160,7 +179,8 @@ void part_chips(Work& work, Rect place) {
     const Rect chip{x, y, width, 38};
     x += width + 6;
     const bool chosen = joint == work.view.joint;
-    const bool missing = !work.has_frame() || fit_of(work, joint, work.view.frame) == Fit::missing;
+    const Fit fit = work.has_frame() ? fit_of(work, joint, work.view.frame) : Fit::missing;
+    const bool missing = fit == Fit::missing || fit == Fit::hidden;
     const Press press = press_area(name, chip, true, chosen);
     draw().AddRectFilled(chip.min(), chip.max(),
                          chosen          ? t.selection
@@ -168,7 +188,9 @@ void part_chips(Work& work, Rect place) {
                                          : t.control,
                          19);
     if (chosen) draw().AddRect(chip.min(), chip.max(), t.accent, 19, 0, 1.5f);
-    if (missing)
+    if (fit == Fit::hidden)
+      draw().AddLine({chip.x + 13, chip.centre().y}, {chip.x + 25, chip.centre().y}, t.disabled, 2);
+    else if (missing)
       draw().AddCircle({chip.x + 19, chip.centre().y}, 6, t.disabled, 0, 1.5f);
     else
       draw().AddCircleFilled({chip.x + 19, chip.centre().y}, 7, joint_tint(joint));
@@ -184,15 +206,16 @@ void parts_panel(Work& work, Rect place) {
   const Theme& t = theme();
   const Document& document = work.document();
   const std::vector<int> parts = parts_to_draw(document);
-  int outlined = 0;
-  for (int joint : parts)
-    for (int f = 0; f < int(document.frames.size()); ++f)
-      outlined += fit_of(work, joint, f) != Fit::missing;
+  int outlined = 0, all = 0;
+  for (int f = 0; f < int(document.frames.size()); ++f) {
+    const PartCount count = count_parts(work, f);
+    outlined += count.outlined;
+    all += count.all;
+  }
   Rect head = place.cut_top(48).inset(16, 0);
   write(head.cut_left(text_width(Font::title, "Parts") + 8), Font::title, t.text, "Parts");
   write(head, Font::caption, t.muted,
-        std::to_string(outlined) + " of " + std::to_string(parts.size() * document.frames.size()) +
-            " outlined");
+        std::to_string(outlined) + " of " + std::to_string(all) + " outlined");
   if (parts.empty()) {
     place.cut_top(write_lines(place.inset(16, 0), Font::body, t.muted,
                               "Parts appear here with the skeleton's joints.", 20) +
@@ -200,7 +223,9 @@ void parts_panel(Work& work, Rect place) {
   } else {
     matrix(work, place);
     place.cut_top(10);
-    legend(place.cut_top(20).inset(16, 0));
+    const auto hides = [](const Frame& frame) { return !frame.hidden.empty(); };
+    legend(place.cut_top(20).inset(16, 0),
+           std::any_of(document.frames.begin(), document.frames.end(), hides));
     place.cut_top(14);
   }
   outline_panel(work, place);

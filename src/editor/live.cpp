@@ -52,18 +52,6 @@ std::vector<FrameFit> fits_of(const Document& document, const std::vector<LivePa
   return fits;
 }
 
-// The document at the poses that the model was made at.
-Document at_models_poses(Document document, const Document& made) {
-  if (made.frames.size() != document.frames.size() ||
-      made.skeleton.size() != document.skeleton.size())
-    return document;
-  for (std::size_t f = 0; f < document.frames.size(); ++f) {
-    document.frames[f].pose = made.frames[f].pose;
-    document.frames[f].scale = made.frames[f].scale;
-  }
-  return document;
-}
-
 // All parts that there are, as they come, until the person looks closer.
 void keep_in_view(Work& work, const Model& model) {
   Orbit& orbit = work.view.orbit;
@@ -77,8 +65,8 @@ void keep_in_view(Work& work, const Model& model) {
 
 // What the parts are wanted of.
 Document wanted(const Work& work) {
-  return work.live.of_result ? at_models_poses(work.document(), work.built->document)
-                             : work.document();
+  return work.live.at_built_poses ? with_poses_of(work.document(), work.built->document)
+                                  : work.document();
 }
 
 void take_proposals(Work& work) {
@@ -120,11 +108,10 @@ void ask_for_parts(Work& work, const Document& document, bool of_proposal) {
   for (Part& part : parts_of(document)) {
     LivePart wanted{surface_inputs(part, options), nullptr};
     const auto same = [&](const LivePart& have) { return have.inputs == wanted.inputs; };
-    const auto have = std::find_if(live.parts.begin(), live.parts.end(), same);
-    if (have != live.parts.end())
-      wanted.made = have->made;
-    else
-      request.parts.push_back(std::move(part));
+    for (const std::vector<LivePart>* parts : {&live.parts, &live.others})
+      if (const auto have = std::find_if(parts->begin(), parts->end(), same); have != parts->end())
+        wanted.made = have->made;
+    if (!wanted.made) request.parts.push_back(std::move(part));
     live.awaited.push_back(std::move(wanted));
   }
   work.running = request.kind;
@@ -139,10 +126,14 @@ void keep_live(Work& work) {
   Live& live = work.live;
   const long revision = work.history.revision();
   if (work.jobs.busy() || work.view.welcome) return;
-  const bool of_result =
+  const bool fatness =
       work.built && work.view.mode == Mode::result && work.view.tool() == Tool::fatness;
-  if (live.of_result != of_result) live.revision = -1;
-  live.of_result = of_result;
+  if (const bool at_built_poses = fatness || work.as_built();
+      live.at_built_poses != at_built_poses) {
+    live.at_built_poses = at_built_poses;
+    std::swap(live.parts, live.others);
+    live.revision = -1;
+  }
   if (live.revision != revision) {
     if (drawn_joints(work.document()).empty())
       live = Live();
@@ -171,7 +162,10 @@ void take_parts(Work& work, Result<JobResult> outcome) {
 
 const std::vector<PartMarks>& marks_of_drawing(Work& work) {
   Live& live = work.live;
-  const Pose pose = work.drawn_pose();
+  // A model shows whether it fits at its own poses; bones are drawn at the person's.
+  const Document& posed = work.as_built() ? work.built->document : work.document();
+  const Pose pose =
+      work.as_built() ? posed.frames[std::size_t(work.view.frame)].pose : work.drawn_pose();
   const long revision = work.history.revision();
   const bool theirs = work.proposal && work.proposal->theirs();
   if (!live.marks_stale && live.marks_theirs == theirs && live.marks_revision == revision &&
@@ -184,10 +178,11 @@ const std::vector<PartMarks>& marks_of_drawing(Work& work) {
   live.marks_pose = pose;
   live.marks.clear();
   const std::vector<Transform> motions = skinning_transforms(work.document().skeleton, pose);
-  const FrameCamera camera = frame_camera(work.document(), work.view.frame);
+  const FrameCamera camera = frame_camera(posed, work.view.frame);
   for (const LivePart& part : theirs ? work.proposal->parts : live.parts) {
     const int joint = part.made->joint;
-    if (joint >= int(motions.size())) continue;
+    if (joint >= int(motions.size()) || fit_of(work, joint, work.view.frame) == Fit::inside)
+      continue;
     FitMarks marks =
         fit_marks(part.made->mesh, motions[std::size_t(joint)], camera, work.frame(), joint, kOff);
     if (!marks.edge.empty()) live.marks.push_back({joint, std::move(marks)});

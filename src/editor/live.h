@@ -11,7 +11,8 @@ namespace artisketch {
 void keep_live(Work& work);
 void take_parts(Work& work, Result<JobResult> outcome);
 
-// The fit marks of the drawing on the canvas, in its pose as shown.
+// The fit marks of the drawing on the canvas, in its pose as shown; a model that is up to
+// date in the pose that it was made at. None of parts inside others.
 const std::vector<PartMarks>& marks_of_drawing(Work& work);
 
 }  // namespace artisketch

@@ -58,6 +58,8 @@ bool outline_available(const Work& work, Command command) {
       for (const CrossingMark& mark : crossing_marks(work))
         if (mark.contour == (pending ? -1 : view.contour)) return true;
       return false;
+    case Command::hidden_here:
+      return !pending && view.joint >= 0 && contours_of(work.frame(), view.joint).empty();
     case Command::remove:
       return chosen && work.stroke.empty();  // else Backspace takes the last point
     case Command::join:
@@ -90,6 +92,12 @@ void outline_command(Work& work, Command command) {
   if (command == Command::join) {
     view.joining = !view.joining;
     view.tool() = Tool::edit;
+    return;
+  }
+  if (command == Command::hidden_here) {
+    const bool hidden = is_hidden(work.frame(), view.joint);
+    work.commit((hidden ? "Unhide " : "Hide ") + part_words(work, view.joint),
+                with_hidden(work.document(), view.frame, view.joint, !hidden));
     return;
   }
   const int frame = view.frame, contour = view.contour;

@@ -59,11 +59,35 @@ std::string about(const Polyline& line) {
          " points";
 }
 
+void fit_line(const Work& work, const Rect& row, int joint) {
+  const std::string words = fit_in_words(work, joint, work.view.frame);
+  record(words, row);
+  write(row, Font::caption, theme().muted, words);
+}
+
+// The chosen part has no outline in this drawing: it may not be there to be outlined.
+void without_outline(Work& work, Rect place) {
+  const Theme& t = theme();
+  hairline({place.x + 16, place.y}, {place.right() - 16, place.y + 1});
+  place.cut_top(10);
+  write(place.cut_top(28).inset(16, 0), Font::title, t.text, part_words(work, work.view.joint));
+  fit_line(work, place.cut_top(22).inset(16, 0), work.view.joint);
+  place.cut_top(6);
+  command_button(work, Command::hidden_here, place.cut_top(34).inset(12, 0), hidden_look(work));
+}
+
 }  // namespace
+
+Look hidden_look(const Work& work) {
+  Look look;
+  look.on = is_hidden(work.frame(), work.view.joint);
+  return look;
+}
 
 void outline_panel(Work& work, Rect place) {
   const Theme& t = theme();
   const bool fresh = work.outline.has_value();
+  if (available(work, Command::hidden_here)) return without_outline(work, place);
   if (!fresh && (work.view.contour < 0 || !work.has_frame())) return;
   hairline({place.x + 16, place.y}, {place.right() - 16, place.y + 1});
   place.cut_top(10);
@@ -73,6 +97,9 @@ void outline_panel(Work& work, Rect place) {
   const std::string points = about(line);
   write(row.cut_right(text_width(Font::caption, points) + 1), Font::caption, t.muted, points);
   write(row, Font::title, t.text, fresh ? "New outline" : "Outline");
+  if (!fresh)
+    fit_line(work, place.cut_top(22).inset(16, 0),
+             work.frame().contours[std::size_t(work.view.contour)].joint);
   place.cut_top(6);
   for (int i = 0; fresh && i < int(work.outline->joints.size()); ++i) {
     candidate_card(work, i, place.cut_top(44).inset(12, 0));

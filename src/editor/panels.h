@@ -26,6 +26,10 @@ std::string lean_words(const Work& work, int joint);
 // A joint's name as people read it, its side smaller.
 void part_name(Rect row, const std::string& name, bool chosen);
 void outline_panel(Work& work, Rect place);
+// The button of "Hidden here": on where the chosen part is.
+Look hidden_look(const Work& work);
+// "Missing in Side", "24 px off in Back"
+std::string fit_in_words(const Work& work, int joint, int frame);
 void skeleton_panel(Work& work, Rect place);
 void template_cards(Work& work, Rect place, int columns);
 void pose_panel(Work& work, Rect place);  // Pose: the calibration's proposal

@@ -47,6 +47,7 @@ bool available(const Work& work, Command command) {
     case Command::other_joint:
     case Command::join:
     case Command::mend:
+    case Command::hidden_here:
       return outline_available(work, command);
     case Command::remove:
       if (view.mode == Mode::result) return view.clip > 0 && view.key >= 0;
@@ -318,6 +319,7 @@ void perform(Work& work, Command command) {
     case Command::other_joint:
     case Command::join:
     case Command::mend:
+    case Command::hidden_here:
       outline_command(work, command);
       break;
     case Command::remove:

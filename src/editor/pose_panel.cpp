@@ -13,12 +13,13 @@ double turned_by(const Pose& a, const Pose& b, int joint) {
   return a.rotations[std::size_t(joint)].angularDistance(b.rotations[std::size_t(joint)]);
 }
 
-// Of the parts of a drawing; −1 where nothing is known.
-double farthest_off(const std::vector<FrameFit>& fits, int frame) {
+// Of the parts of the drawing whose edge shows; −1 where nothing is known.
+double farthest_off(const Work& work, const std::vector<FrameFit>& fits) {
   double farthest = -1;
-  if (frame < int(fits.size()))
-    for (const FrameFit::PartFit& fit : fits[std::size_t(frame)].parts)
-      farthest = std::max(farthest, fit.distance);
+  if (work.view.frame < int(fits.size()))
+    for (const FrameFit::PartFit& fit : fits[std::size_t(work.view.frame)].parts)
+      if (fit_of(work, fit.joint, work.view.frame) != Fit::inside)
+        farthest = std::max(farthest, fit.distance);
   return farthest;
 }
 
@@ -39,7 +40,7 @@ void proposal_card(Work& work, Rect& place) {
   for (int j = 1; j < work.document().skeleton.size(); ++j)
     if (turned_by(mine, theirs, j) > turned_by(mine, theirs, most)) most = j;
   const double angle = degrees(turned_by(mine, theirs, most));
-  if (const double farthest = farthest_off(proposal.fits, work.view.frame); farthest >= 0)
+  if (const double farthest = farthest_off(work, proposal.fits); farthest >= 0)
     write(column.cut_top(18), Font::caption, t.muted,
           "Every part within " + std::to_string(int(std::ceil(farthest))) + " px of its outline.");
   else
@@ -85,10 +86,14 @@ void distance_table(Work& work, Rect place) {
   const Theme& t = theme();
   Proposal* proposal = work.proposal ? &*work.proposal : nullptr;
   std::vector<std::pair<double, int>> rows;
-  for (const int joint : drawn_joints(work.document()))
-    if (const double off = distance_of(work, joint, work.view.frame); off >= 0)
+  int inside = 0;
+  for (const int joint : drawn_joints(work.document())) {
+    const bool covered = fit_of(work, joint, work.view.frame) == Fit::inside;
+    inside += covered;
+    if (const double off = distance_of(work, joint, work.view.frame); off >= 0 && !covered)
       rows.emplace_back(-off, joint);
-  if (rows.empty()) return;
+  }
+  if (rows.empty() && inside == 0) return;
   std::sort(rows.begin(), rows.end());
   place.cut_top(14);
   Rect heads = place.cut_top(22).inset(16, 0);
@@ -133,6 +138,13 @@ void distance_table(Work& work, Rect place) {
     row.cut_right(14);
     write(row, Font::body, t.text, name);
   }
+  if (inside == 0 || place.h < 26) return;
+  const std::string words =
+      inside == 1 ? "1 part lies inside others: no edge to compare."
+                  : std::to_string(inside) + " parts lie inside others: no edge to compare.";
+  const Rect line = place.cut_top(26).inset(16, 0);
+  record(words, line);
+  write(line, Font::caption, t.muted, words);
 }
 
 }  // namespace

@@ -26,20 +26,6 @@ void thumbnail(const Work& work, const Frame& frame, const Rect& place, bool out
 
 namespace {
 
-struct Count {
-  int outlined = 0, off = 0, all = 0;
-};
-Count count(const Work& work, int frame) {
-  Count c;
-  for (int joint : parts_to_draw(work.document())) {
-    const Fit fit = fit_of(work, joint, frame);
-    ++c.all;
-    c.outlined += fit != Fit::missing;
-    c.off += fit == Fit::off;
-  }
-  return c;
-}
-
 // Duplicate, move, remove: on a right click, or a press that lasts.
 void drawing_menu(Work& work, int f, const Press& press) {
   constexpr float kLong = 0.5f;  // seconds
@@ -131,7 +117,7 @@ void card(Work& work, int f, const Rect& place, bool slim, bool narrow) {
   Rect row = place.inset(6);
   thumbnail(work, work.document().frames[std::size_t(f)], row.cut_left(row.h));
   row.cut_left(11);
-  const Count c = count(work, f);
+  const PartCount c = count_parts(work, f);
   const float line = slim ? row.h / 2 : row.h / 3;
   Rect title = row.cut_top(line);
   if (!slim)

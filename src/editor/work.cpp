@@ -49,6 +49,12 @@ Result<Built> built_from(const std::string& glb, const std::string& document) {
   if (!model) return model.error();
   Result<Document> made_from = parse_document(document, "the document");
   if (!made_from) return made_from.error();
+  // Its first clip holds the poses that it was made at.
+  const std::vector<Pose> poses =
+      model->clips.empty() ? std::vector<Pose>() : model->clips[0].poses;
+  for (std::size_t f = 0; f < made_from->frames.size() && f < poses.size(); ++f)
+    if (int(poses[f].rotations.size()) == made_from->skeleton.size())
+      made_from->frames[f].pose = poses[f];
   Built built = built_of(std::move(*model), std::move(*made_from));
   built.glb = glb;
   return built;
@@ -215,16 +221,54 @@ double distance_in(const std::vector<FrameFit>& fits, int joint, int frame) {
 }
 
 double distance_of(const Work& work, int joint, int frame) {
-  const bool whole = work.view.mode == Mode::result && work.built;
-  if (work.live.model && !whole) return distance_in(work.live.fits, joint, frame);
-  return work.built ? distance_in(work.built->fits, joint, frame) : -1;
+  const bool measured = work.built && !work.built->fits.empty();
+  if (measured && (work.view.mode == Mode::result || work.as_built()))
+    return distance_in(work.built->fits, joint, frame);
+  // Until the parts are there at the model's poses, those at the person's tell of something else.
+  const bool other = work.as_built() &&
+                     (!work.live.at_built_poses || work.live.revision != work.history.revision());
+  return work.live.model && !other ? distance_in(work.live.fits, joint, frame) : -1;
 }
 
+namespace {
+
+// Found once for each state of the document.
+bool is_inside(const Work& work, int joint, int frame) {
+  Work::Insides& known = work.insides;
+  if (known.revision != work.history.revision() || known.edits != work.changed_at) {
+    known = {work.history.revision(), work.changed_at, {}};
+    for (const Frame& each : work.document().frames) {
+      std::vector<bool>& inside = known.of.emplace_back();
+      for (int j = 0; j < work.document().skeleton.size(); ++j)
+        inside.push_back(inside_other_parts(each, j));
+    }
+  }
+  return known.of[std::size_t(frame)][std::size_t(joint)];
+}
+
+}  // namespace
+
 Fit fit_of(const Work& work, int joint, int frame) {
-  for (const Contour& contour : work.document().frames[std::size_t(frame)].contours)
+  const Frame& drawing = work.document().frames[std::size_t(frame)];
+  if (is_hidden(drawing, joint)) return Fit::hidden;
+  for (const Contour& contour : drawing.contours)
     if (contour.joint == joint)
-      return distance_of(work, joint, frame) > kOff ? Fit::off : Fit::outlined;
+      return is_inside(work, joint, frame)            ? Fit::inside
+             : distance_of(work, joint, frame) > kOff ? Fit::off
+                                                      : Fit::outlined;
   return Fit::missing;
+}
+
+PartCount count_parts(const Work& work, int frame) {
+  PartCount count;
+  for (const int joint : parts_to_draw(work.document())) {
+    const Fit fit = fit_of(work, joint, frame);
+    if (fit == Fit::hidden) continue;
+    ++count.all;
+    count.outlined += fit != Fit::missing;
+    count.off += fit == Fit::off;
+  }
+  return count;
 }
 
 }  // namespace artisketch

@@ -63,10 +63,11 @@ struct Live {
   std::vector<LivePart> parts;
   std::vector<LivePart> awaited;  // as they will be; those that are being made have nothing yet
   std::vector<FrameFit> fits;
-  long revision = -1;           // that they were made from
-  bool of_proposal = false;     // what is under way: the proposal's fit rather than the parts
-  bool of_result = false;       // at the model's poses rather than the person's: for its fatness
-  std::optional<Orbit> framed;  // the view that took in all of them
+  long revision = -1;            // that they were made from
+  bool of_proposal = false;      // what is under way: the proposal's fit rather than the parts
+  bool at_built_poses = false;   // the parts are made at the model's poses, not at the person's
+  std::vector<LivePart> others;  // the last ones made the other way
+  std::optional<Orbit> framed;   // the view that took in all of them
   // Marks of the drawing shown last, and what they were made for.
   std::vector<PartMarks> marks;
   bool marks_stale = true;
@@ -244,7 +245,7 @@ struct Work {
   Gesture gesture;
   Naming naming;
   Fingers fingers;
-  bool hurried = false;  // something is dragged, and the machine paints too slowly to follow
+  bool hurried = false;      // something is dragged, and the machine paints too slowly to follow
   int model_joint = -1;      // of the result, while it is dragged
   bool sphere_rim = false;   // it is its sphere's rim
   double fatness_from = 1;   // as the drag found it
@@ -260,6 +261,13 @@ struct Work {
     std::vector<std::optional<Vec2>> at;  // by contour
   };
   mutable Crossings crossings;
+
+  struct Insides {
+    long revision = -1;
+    double edits = -1;
+    std::vector<std::vector<bool>> of;  // by frame and joint: inside_other_parts
+  };
+  mutable Insides insides;
 
   std::vector<Vec2> handles;  // of the stroke's points, where it is made point by point
 
@@ -297,6 +305,9 @@ struct Work {
   // Null: neither.
   const Built* shown() const;
   bool shows_parts() const { return shown() && shown() != built.get(); }
+  // The document is as the model was made from it, and no other pose stands beside: what fits is
+  // told of the poses that the model was made at, also where the person didn't keep them.
+  bool as_built() const { return built && built->fresh && !proposal; }
 
   // The pose that the model shows: of the clip, the person's, or the drawing's.
   Pose shown_pose() const;
@@ -306,9 +317,14 @@ struct Work {
   bool changing_pose() const;  // the proposal's animation is under way
 };
 
-// How a part fits a drawing.
-enum class Fit { outlined, missing, off };
+// How a part fits a drawing: missing and hidden without an outline, the others with one. Of a part
+// inside others nothing can be told.
+enum class Fit { outlined, missing, hidden, off, inside };
 Fit fit_of(const Work& work, int joint, int frame);
+struct PartCount {
+  int outlined = 0, off = 0, all = 0;  // all: that are to be outlined
+};
+PartCount count_parts(const Work& work, int frame);
 double distance_in(const std::vector<FrameFit>& fits, int joint, int frame);  // as distance_of
 double distance_of(const Work& work, int joint, int frame);  // pixels; −1 where unknown
 inline constexpr double kOff = 3.5, kFarOff = 9;             // pixels: amber, red

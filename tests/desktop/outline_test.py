@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Tracing, cutting, outlines, the skeleton and drawings on their way in, through the pointer."""
-import subprocess
+import json, pathlib, subprocess
 
 from editor_window import Window, examples, pictures, run
 
@@ -26,6 +26,63 @@ def labels(window):
 
 def undo_is(window, words):
     window.wait(lambda: window.state()["undo"] == words, why=f"'{words}' to undo")
+
+
+def cell_says(window, label, words):
+    """The words of a part in a drawing stand in the inspector once its mark is clicked."""
+    window.click(label)
+    window.wait(lambda: words in labels(window), why=f"{words!r} at {label}")
+
+
+def settles_what_a_drawing_hides():
+    window = Window("1440x900", examples / "hero/hero.artisketch")
+    cell = "Hand R in 2"
+    window.click(cell)
+    window.key("Delete")
+    undo_is(window, "Delete Hand R")
+    cell_says(window, cell, "Missing in Side")
+    window.picture("missing")
+    window.click("Hidden here")
+    undo_is(window, "Hide Hand R")
+    cell_says(window, cell, "Hidden in Side")
+    window.picture("hidden")
+    window.key("ctrl+z")
+    cell_says(window, cell, "Missing in Side")
+    window.key("ctrl+shift+z")
+    cell_says(window, cell, "Hidden in Side")
+    saved = pathlib.Path(window.home, "hidden.artisketch")
+    window.key("ctrl+shift+s")
+    window.wait(lambda: "Path" in labels(window), why="the question")
+    window.key("ctrl+a")
+    window.x("type", "--delay", "40", str(saved))
+    window.key("Return")
+    window.wait(saved.exists, why="the file")
+    assert json.loads(saved.read_text())["frames"][1]["hidden"] == ["hand.R"]
+    window.close()
+    again = Window("1440x900", saved)
+    cell_says(again, cell, "Hidden in Side")
+    # The key takes it back.
+    again.key("shift+h")
+    undo_is(again, "Unhide Hand R")
+    again.close()
+
+
+def says_that_a_part_inside_others_shows_no_edge():
+    window = Window("1440x900", examples / "hero/hero.artisketch")
+    window.click("Forearm R in 2")
+    words = "Inside other parts: no edge to compare"
+    assert words not in labels(window), "its edge shows in front of the body"
+    for _ in range(8):
+        window.key("bracketleft")
+    cell_says(window, "Forearm R in 2", words)
+    window.picture("inside")
+    window.key("3")
+    window.wait(lambda: "1 part lies inside others: no edge to compare." in labels(window),
+                why="the words")
+    assert not any(w.startswith("Off Forearm R ") for w in labels(window))
+    assert any(w.startswith("Off Forearm L ") for w in labels(window))
+    window.picture("inside-pose")
+    window.close()
 
 
 def drawing(name="hero/front.png"):
@@ -213,4 +270,5 @@ def takes_drawings_in():
 
 
 run(traces_and_cuts, gives_outlines_to_parts, joins_copies_and_picks_joints, mends_a_crossing,
-    builds_a_skeleton, takes_drawings_in)
+    builds_a_skeleton, takes_drawings_in, settles_what_a_drawing_hides,
+    says_that_a_part_inside_others_shows_no_edge)

@@ -124,6 +124,31 @@ def shows_the_parts_and_where_they_miss():
     window.close()
 
 
+def compares_a_model_at_the_poses_it_was_made_at():
+    window = in_pose()
+    window.wait(lambda: [w for w in window.widgets() if w["label"].startswith("Tag ")],
+                why="a part that is off in the pose as drawn")
+    mine = joint(window, "Hand R")
+    window.click("Reconstruct")
+    window.wait(lambda: window.state()["hasModel"] and not window.state()["busy"], 60, "the model")
+    window.wait(lambda: window.state()["liveRevision"] == window.state()["revision"], 20, "parts")
+
+    def distances():
+        return [int(w["label"].split()[-2]) for w in window.widgets()
+                if w["label"].startswith("Off ") and w["label"].endswith(" px")]
+    window.wait(lambda: distances() and max(distances()) <= 3, why="a model that fits")
+    assert not [w for w in window.widgets() if w["label"].startswith("Tag ")]
+    assert near(joint(window, "Hand R"), mine, 0.5), "the person's pose stays"
+    window.picture("fit-of-model")
+    # A pose that is changed is compared itself.
+    window.drag([mine, [mine[0] + 20, mine[1]], [mine[0] + 60, mine[1] + 60]])
+    window.wait(lambda: [w for w in window.widgets() if w["label"].startswith("Tag ")],
+                why="the moved part's distance")
+    window.key("ctrl+z")
+    window.wait(lambda: distances() and max(distances()) <= 3, why="undo")
+    window.close()
+
+
 def in_result(name="heart"):
     window = Window("1440x900", examples / f"{name}/{name}.artisketch")
     window.click("Reconstruct")
@@ -206,4 +231,5 @@ def calibrates_compares_and_keeps():
 
 run(drags_a_limb, turns_twists_flips_and_locks, changes_depth_from_the_side_and_copies,
     suggests_and_asks_which_way, calibrates_compares_and_keeps,
-    shows_the_parts_and_where_they_miss, sets_keys_and_moves_them, shapes_joints_and_fatness, seconds=400)
+    shows_the_parts_and_where_they_miss, compares_a_model_at_the_poses_it_was_made_at,
+    sets_keys_and_moves_them, shapes_joints_and_fatness, seconds=460)
