@@ -94,10 +94,26 @@ Result<JobResult> run_parts(const JobRequest& request, Run& run) {
   return out;
 }
 
+// As a reconstruction finds them. A part that fails joins nothing.
+Result<JobResult> run_spheres(const Document& document, const JobRequest& request, Run& run) {
+  const PipelineOptions& options = request.options;
+  std::vector<PartSurface> surfaces;
+  for (const Part& part : parts_of(document)) {
+    Result<PartSurface> surface =
+        reconstruct_part(part, {options.method, options.grid, options.visual_hull}, run);
+    if (run.cancelled()) return cancelled();
+    if (surface) surfaces.push_back(std::move(*surface));
+  }
+  JobResult out;
+  out.spheres = joint_spheres(document, surfaces);
+  return out;
+}
+
 Result<JobResult> run_unguarded(const JobRequest& request, Run& run) {
   if (request.kind == JobRequest::Kind::parts) return run_parts(request, run);
   const Result<Document> document = parse_document(request.document, kFaultsCallIt);
   if (!document) return document.error();
+  if (request.kind == JobRequest::Kind::spheres) return run_spheres(*document, request, run);
   Trace trace;
   if (request.trace) run.trace = &trace;
   Result<JobResult> result = request.kind == JobRequest::Kind::calibrate

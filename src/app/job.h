@@ -16,6 +16,7 @@ struct JobRequest {
     reconstruct,  // a model, from calibrated poses if the options say so
     calibrate,    // poses alone
     parts,        // some parts' surfaces, for a picture while their document is edited
+    spheres,      // those that join the parts of a document as it is posed, and nothing else
   };
   Kind kind = Kind::reconstruct;
   std::string document;     // as document_text writes it; drawings, where wanted, as data: URIs

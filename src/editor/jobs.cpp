@@ -93,6 +93,11 @@ void collect_job(Work& work) {
   std::optional<Result<JobResult>> outcome = work.jobs.poll();
   if (!outcome) return;
   if (work.running == JobRequest::Kind::parts) return take_parts(work, std::move(*outcome));
+  if (work.running == JobRequest::Kind::spheres) {
+    if (*outcome && work.built && work.built->spheres.empty())
+      work.built->spheres = std::move(outcome->value().spheres);
+    return;
+  }
   if (!*outcome) {
     const Error& error = outcome->error();
     Toast toast;

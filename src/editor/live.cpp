@@ -5,6 +5,7 @@
 
 #include "document/edit.h"
 #include "editor/panels.h"
+#include "files/document_file.h"
 #include "model/part_inputs.h"
 
 namespace artisketch {
@@ -120,6 +121,18 @@ void ask_for_parts(Work& work, const Document& document, bool of_proposal) {
   work.jobs.start(std::move(request));
 }
 
+// An example's model comes without the spheres that joined its parts.
+void ask_for_spheres(Work& work) {
+  if (!work.built || !work.built->spheres.empty() || work.built->spheres_sought) return;
+  work.built->spheres_sought = true;
+  JobRequest request;
+  request.kind = JobRequest::Kind::spheres;
+  request.document = document_text(work.built->document);
+  request.options.grid = kGrid;
+  work.running = request.kind;
+  work.jobs.start(std::move(request));
+}
+
 }  // namespace
 
 void keep_live(Work& work) {
@@ -141,6 +154,8 @@ void keep_live(Work& work) {
       ask_for_parts(work, wanted(work), false);
   } else if (work.proposal && work.proposal->fits.empty()) {
     ask_for_parts(work, work.proposal->document, true);
+  } else if (work.view.mode == Mode::result && work.view.tool() == Tool::joints) {
+    ask_for_spheres(work);
   }
 }
 

@@ -7,7 +7,8 @@
 namespace artisketch {
 
 // Asks for the parts of the document as it stands, where nothing else is computed; the newest state
-// is asked for once the last answer is there. Called each frame.
+// is asked for once the last answer is there. Then the spheres of a model that came without them,
+// while they are to be seen. Called each frame.
 void keep_live(Work& work);
 void take_parts(Work& work, Result<JobResult> outcome);
 

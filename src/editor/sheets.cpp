@@ -280,10 +280,7 @@ void status_line(const Work& work, const Layout& layout) {
                                                : "Pose";
         what = view.tool() == Tool::orbit ? "Drag to look around the model.  Space plays."
                : view.tool() == Tool::joints
-                   ? (work.built && work.built->spheres.empty()
-                          ? "Reconstruct shows the spheres that join the parts."
-                          : "Drag a sphere's rim for its size, its middle to move it; then "
-                            "Reconstruct.")
+                   ? "Drag a sphere's rim for its size, its middle to move it; then Reconstruct."
                : view.tool() == Tool::fatness
                    ? "Drag a part sideways: thinner or fatter.  Reconstruct joins it again."
                    : "Drag a joint on the model.  I sets a key at the playhead, Space plays.";

@@ -37,6 +37,7 @@ struct Built {
   std::string glb;
   Document source;                   // that it was made from
   std::vector<JointSphere> spheres;  // that join its parts
+  bool spheres_sought = false;       // where they didn't come with the model
   bool fresh = true;                 // the document makes just this, as far as its shape goes
   bool clips_edited = false;         // since the bytes were made
   // Per clip and key: moves the posed model's feet to the middle of the ground.
@@ -300,7 +301,10 @@ struct Work {
   void follow_document();
 
   // A job that the person waits for is under way.
-  bool busy() const { return jobs.busy() && running != JobRequest::Kind::parts; }
+  bool busy() const {
+    return jobs.busy() && running != JobRequest::Kind::parts &&
+           running != JobRequest::Kind::spheres;
+  }
   // The model in view: the whole one, or while it is out of date, or not there yet, its parts.
   // Null: neither.
   const Built* shown() const;

@@ -132,6 +132,27 @@ TEST(Job, SpheresAreThoseThatJoinTheParts) {
   EXPECT_EQ(job->fits.size(), 2u);
 }
 
+TEST(Job, SpheresComeAloneWhereTheyAreAskedFor) {
+  JobRequest request;
+  request.document = example_text("robot");
+  request.options.grid = 24;
+  artisketch::Run run, other;
+  const auto whole = run_job(request, run);
+  ASSERT_TRUE(whole);
+  request.kind = Kind::spheres;
+  request.document = whole->document;  // at the poses that the model was made at
+  const auto alone = run_job(request, other);
+  ASSERT_TRUE(alone);
+  EXPECT_TRUE(alone->glb.empty());
+  ASSERT_FALSE(alone->spheres.empty());
+  ASSERT_EQ(alone->spheres.size(), whole->spheres.size());
+  for (std::size_t i = 0; i < alone->spheres.size(); ++i) {
+    EXPECT_EQ(alone->spheres[i].joint, whole->spheres[i].joint);
+    EXPECT_EQ(alone->spheres[i].centre, whole->spheres[i].centre);
+    EXPECT_NEAR(alone->spheres[i].radius, whole->spheres[i].radius, 0.1 * whole->spheres[i].radius);
+  }
+}
+
 TEST(Job, FaultsOfTheDocumentComeInWords) {
   JobRequest request = heart();
   request.document = R"({"artisketch": 1})";

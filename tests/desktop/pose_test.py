@@ -208,6 +208,18 @@ def shapes_joints_and_fatness():
     window.close()
 
 
+def shows_the_joints_of_an_example():
+    window = Window("1440x900")
+    window.wait(lambda: window.state()["hasModel"], 10, "the example's model")
+    window.click("Result mode")
+    window.wait(lambda: window.state()["mode"] == "result", why="the mode")
+    window.key("j")
+    window.wait(lambda: any(w["label"] == "Sphere Head" for w in window.widgets()), 30, "spheres")
+    assert not window.state()["busy"] and not window.state()["canUndo"]
+    window.picture("example-joints")
+    window.close()
+
+
 def calibrates_compares_and_keeps():
     window = in_pose()
     before = joint(window, "Hand R")
@@ -232,4 +244,4 @@ def calibrates_compares_and_keeps():
 run(drags_a_limb, turns_twists_flips_and_locks, changes_depth_from_the_side_and_copies,
     suggests_and_asks_which_way, calibrates_compares_and_keeps,
     shows_the_parts_and_where_they_miss, compares_a_model_at_the_poses_it_was_made_at,
-    sets_keys_and_moves_them, shapes_joints_and_fatness, seconds=460)
+    sets_keys_and_moves_them, shapes_joints_and_fatness, shows_the_joints_of_an_example, seconds=460)
