@@ -1,5 +1,7 @@
 // The sketch: drawing, model, outlines and bones of one frame, to pan and zoom.
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "document/edit.h"
 #include "editor/outline_commands.h"
@@ -23,6 +25,70 @@ void fit(View& view, const Frame& frame, const Rect& place) {
   view.zoom = std::min(inner.w / float(frame.width), inner.h / float(frame.height));
   view.origin = {inner.x + (inner.w - view.zoom * float(frame.width)) / 2,
                  inner.y + (inner.h - view.zoom * float(frame.height)) / 2};
+}
+
+// What shows of the figure, in pixels of the sketch.
+struct Figure {
+  std::vector<Vec2> outlines, joints;
+};
+Figure figure_of(const Work& work) {
+  Figure figure;
+  for (const Contour& contour : work.frame().contours)
+    figure.outlines.insert(figure.outlines.end(), contour.line.points.begin(),
+                           contour.line.points.end());
+  const FrameCamera camera = frame_camera(work.document(), work.view.frame);
+  for (const Transform& joint : posed_joints(work.document().skeleton, work.drawn_pose()))
+    if (camera.in_front(joint.translation()))
+      figure.joints.push_back(camera.project(joint.translation()));
+  return figure;
+}
+
+// Which share of the points lies under one of the places.
+double share_under(const std::vector<Rect>& places, const std::vector<Vec2>& points,
+                   const OnScreen& on) {
+  if (points.empty()) return 0;
+  std::size_t under = 0;
+  for (const Vec2& p : points) {
+    const ImVec2 at = on.of(p);
+    under += std::any_of(places.begin(), places.end(),
+                         [&](const Rect& place) { return place.holds(at); });
+  }
+  return double(under) / double(points.size());
+}
+
+// On tablets tools and model float over the canvas: the drawing goes where they cover least of the
+// figure, a little smaller if need be.
+void fit_between(Work& work, const Layout& layout) {
+  View& view = work.view;
+  const Rect& place = layout.canvas;
+  const ImVec2 size{place.w, place.h};
+  if (view.fitted_frame == view.frame && view.fitted_mode == view.mode &&
+      view.fitted_size.x == size.x && view.fitted_size.y == size.y)
+    return;
+  view.fitted_frame = view.frame;
+  view.fitted_mode = view.mode;
+  view.fitted_size = size;
+  fit(view, work.frame(), place);
+  std::vector<Rect> floating{rail_place(work, layout), layout.view, layout.canvas_head};
+  if (view.mode == Mode::pose)
+    for (const Rect& inset : pose_inset_places(layout)) floating.push_back(inset);
+  const Figure figure = figure_of(work);
+  constexpr float kShares[] = {0.5f, 0.4f, 0.6f, 0.25f, 0.75f, 0, 1};
+  constexpr double kSmaller = 0.4, kAside = 0.01;  // as bad as covering so much of the figure
+  const float whole = view.zoom;
+  double best = std::numeric_limits<double>::infinity();
+  for (const float scale : {1.0f, 0.95f, 0.9f, 0.85f, 0.8f})
+    for (const float across : kShares)
+      for (const float down : kShares) {
+        const float zoom = whole * scale;
+        const OnScreen on{{place.x + across * (place.w - zoom * float(work.frame().width)),
+                           place.y + down * (place.h - zoom * float(work.frame().height))},
+                          zoom};
+        const double cost = share_under(floating, figure.outlines, on) +
+                            share_under(floating, figure.joints, on) + kSmaller * (1 - scale) +
+                            kAside * (std::abs(across - 0.5) + std::abs(down - 0.5));
+        if (cost < best) best = cost, view.zoom = on.zoom, view.origin = on.origin;
+      }
 }
 
 // Wheel zooms at the pointer; the middle button, or two fingers, pan.
@@ -145,10 +211,11 @@ void head(Work& work, const Layout& layout) {
   const std::string name = work.has_frame() ? drawing_words(work.document(), work.view.frame) : "";
   const std::string of = std::to_string(work.view.frame + 1) + " of " + std::to_string(frames);
   if (layout.tablet) {
+    const float width = text_width(Font::body_bold, name) + 9 + text_width(Font::caption, of);
+    row = row.middle(std::clamp(width + 104, row.w, layout.canvas.w - 184), row.h);
     draw().AddRectFilled(row.min(), row.max(), faded(t.panel, 0.95f), kRadiusPanel);
     command_icon(work, Command::previous_drawing, row.cut_left(44));
     command_icon(work, Command::next_drawing, row.cut_right(44));
-    const float width = text_width(Font::body_bold, name) + 8 + text_width(Font::caption, of);
     Rect middle = row.middle(std::min(width, row.w), row.h);
     write(middle.cut_left(text_width(Font::body_bold, name) + 8), Font::body_bold, t.text, name);
     write(middle, Font::caption, t.muted, of);
@@ -268,7 +335,12 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio) {
     invitation(work, place);
     return;
   }
-  if (work.view.fit) fit(work.view, work.frame(), place);
+  if (!work.view.fit)
+    work.view.fitted_frame = -1;
+  else if (layout.tablet)
+    fit_between(work, layout);
+  else
+    fit(work.view, work.frame(), place);
   navigate(work, place);
   draw().PushClipRect(place.min(), place.max(), true);
   paint_sketch(work, place, pixel_ratio);
@@ -278,7 +350,9 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio) {
   draw().ChannelsSetCurrent(1);
   if (work.view.mode == Mode::outline) crossing_chips(work, place);
   draw().ChannelsSetCurrent(0);
-  use_tool(work, place, {work.view.origin, work.view.zoom});
+  Rect clear = place;
+  if (layout.tablet) clear.cut_left(rail_place(work, layout).right() - place.x);
+  use_tool(work, place, clear, {work.view.origin, work.view.zoom});
   draw().ChannelsMerge();
   draw().PopClipRect();
   head(work, layout);

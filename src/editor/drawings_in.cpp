@@ -69,7 +69,7 @@ void add_all(Work& work, const std::vector<Arrived>& all) {
       std::move(next));
   work.view.frame = at;
   work.view.contour = -1;
-  work.view.fit = true;
+  work.view.fit_again();
   if (!first) return;
   Toast toast;
   toast.words = "A person's skeleton lies over the drawing.";

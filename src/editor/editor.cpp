@@ -127,7 +127,7 @@ void Editor::frame(float width, float height, float pixel_ratio) {
     welcome(work, layout, pixel_ratio);
   } else {
     canvas(work, layout, pixel_ratio);
-    tool_rail(work, layout);
+    if (!layout.tablet || !work.view.exporting) tool_rail(work, layout);  // the sheet goes there
     model_view(work, layout, pixel_ratio);
     if (work.view.mode == Mode::result)
       timeline(work, layout);

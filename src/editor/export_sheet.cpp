@@ -103,9 +103,15 @@ void export_sheet(Work& work, const Rect& place) {
   write(head, Font::title, t.text, "Export");
 
   const std::span<const ExportFormat> formats = export_formats();
+  // A wide sheet has them side by side.
+  const std::size_t columns = place.w > 600 ? 2 : 1;
+  const bool low = place.h < 680;
+  const float gap = low ? 4 : 6;
+  const float width = (place.w - 24 - 8 * float(columns - 1)) / float(columns);
   for (std::size_t i = 0; i < formats.size(); ++i) {
-    const Rect card = column.cut_top(48).inset(12, 0);
-    column.cut_top(6);
+    const Rect card{place.x + 12 + (width + 8) * float(i % columns), column.y, width,
+                    low ? 42.0f : 48.0f};
+    if (i % columns + 1 == columns || i + 1 == formats.size()) column.cut_top(card.h + gap);
     const bool on = i == chosen;
     const Press press = press_area(std::string("Format ") + formats[i].name, card, true, on);
     draw().AddRectFilled(card.min(), card.max(),
@@ -120,21 +126,23 @@ void export_sheet(Work& work, const Rect& place) {
     }
     write_icon({card.x + 22, card.centre().y}, IconSize::normal, on ? t.accent : t.muted,
                formats[i].icon);
-    write({card.x + 44, card.y + 5, card.w - 80, 20}, Font::body_bold, t.text, formats[i].name);
-    write({card.x + 44, card.y + 24, card.w - 80, 18}, Font::caption, t.muted, formats[i].about);
+    write({card.x + 44, card.y + (low ? 2.0f : 5.0f), card.w - 80, 20}, Font::body_bold, t.text,
+          formats[i].name);
+    write({card.x + 44, card.y + (low ? 20.0f : 24.0f), card.w - 50, 18}, Font::caption, t.muted,
+          formats[i].about);
     if (press.clicked) chosen = i;
   }
 
-  Rect foot = column.cut_bottom(96).inset(12, 0);
+  Rect foot = column.cut_bottom(low ? 80 : 96).inset(12, 0);
   if (work.built) {
     const Model& model = work.built->model;
     column.cut_top(6);
     Rect inner = column.inset(16, 0);
     choices(work, inner);
     column.cut_top(inner.y - column.y + 10);
-    const Rect card = column.cut_top(116).inset(12, 0);
+    const Rect card = column.cut_top(low ? 100 : 116).inset(12, 0);
     draw().AddRectFilled(card.min(), card.max(), t.control, kRadiusCard);
-    Rect lines = card.inset(14, 10);
+    Rect lines = card.inset(14, low ? 4 : 10);
     const auto line = [&](const char* what, const std::string& value) {
       Rect row = lines.cut_top(24);
       write(row.cut_right(row.w - 80), Font::caption_bold, t.text, value, Align::right);

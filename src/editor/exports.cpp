@@ -56,7 +56,7 @@ constexpr ExportFormat kFormats[] = {
     {"OBJ", "the shape in this pose", icon::kCubeOutline, ".obj", as_obj},
     {"STL", "for 3D printing, in this pose", icon::kGrid, ".stl", as_stl},
     {"PLY", "the shape with its colours", icon::kPalette, ".ply", as_ply},
-    {"PNG", "a picture, or sprites from 8 sides", icon::kImageMultiple, ".png", as_picture},
+    {"PNG", "picture, or sprites from 8 sides", icon::kImageMultiple, ".png", as_picture},
 };
 
 }  // namespace

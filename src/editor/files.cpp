@@ -34,7 +34,7 @@ void start_with(Work& work, Document document) {
   view.mode = Mode::outline;
   view.frame = 0;
   view.joint = view.contour = -1;
-  view.fit = true;
+  view.fit_again();
   view.playing = view.exporting = false;
   view.clip = 0;
   view.time = 0;

@@ -155,10 +155,20 @@ void part_chips(Work& work, Rect place) {
   all.on = work.view.all_drawings;
   if (button("All drawings", head.cut_right(126), all))
     work.view.all_drawings = !work.view.all_drawings;
-  if (available(work, Command::hidden_here)) {
+  const auto action = [&](Command command, float width, const Look& look = {}) {
     head.cut_right(8);
-    command_button(work, Command::hidden_here, head.cut_right(132), hidden_look(work));
+    command_button(work, command, head.cut_right(width), look);
+  };
+  if (available(work, Command::hidden_here)) action(Command::hidden_here, 132, hidden_look(work));
+  if (work.view.mode == Mode::outline && work.view.contour >= 0) {
+    Look picking, joining;
+    picking.on = work.view.picking_joint;
+    joining.on = work.view.joining;
+    action(Command::join, 84, joining);
+    action(Command::other_joint, 128, picking);
+    action(Command::redraw, 104);
   }
+  if (work.view.mode == Mode::pose) action(Command::calibrate, 120);
   const std::vector<int> parts = parts_to_draw(document);
   const PartCount count = work.has_frame() ? count_parts(work, work.view.frame) : PartCount();
   const std::string title =
@@ -240,7 +250,11 @@ void inspector(Work& work, const Layout& layout) {
     if (work.view.exporting)
       export_sheet(work, layout.inspector);
     else if (work.view.mode == Mode::skeleton)
-      template_cards(work, layout.inspector.inset(12, 14), int(all_templates().size()));
+      skeleton_sheet(work, layout.inspector);
+    else if (work.view.mode == Mode::pose && work.proposal && work.has_frame())
+      proposal_sheet(work, layout.inspector);
+    else if (work.view.mode == Mode::outline && work.outline)
+      new_outline_sheet(work, layout.inspector);
     else
       part_chips(work, layout.inspector);
     return;

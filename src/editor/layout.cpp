@@ -11,7 +11,7 @@ Layout tablet(Rect all, const View& view) {
   l.top = all.cut_top(56);
   l.modes = all.cut_top(56);
   l.strip = all.cut_bottom(view.mode == Mode::result ? 148 : 104);
-  l.inspector = all.cut_bottom(view.all_drawings ? 460.0f : 144.0f);
+  l.inspector = all.cut_bottom(view.exporting ? 640.0f : view.all_drawings ? 460.0f : 144.0f);
   l.canvas = all;
   l.canvas_head = {all.x + all.w / 2 - 84, all.y + 12, 168, 44};
   l.canvas_foot = {};

@@ -137,9 +137,10 @@ void head(Work& work, const Layout& layout) {
   } else if (work.shows_parts()) {
     about = work.proposal && work.proposal->theirs() ? "parts, calibrated" : "parts, your pose";
   } else if (work.built && work.has_frame()) {
-    about = "posed as in " + drawing_words(work.document(), view.frame);
+    about = "as in " + drawing_words(work.document(), view.frame);
   }
-  write(row, Font::caption, t.muted, about);
+  // Where the whole doesn't fit, nothing says it: its beginning alone tells nothing.
+  if (text_width(Font::caption, about) <= row.w) write(row, Font::caption, t.muted, about);
 }
 
 void foot(const Work& work, const Rect& band) {

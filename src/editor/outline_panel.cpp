@@ -84,6 +84,34 @@ Look hidden_look(const Work& work) {
   return look;
 }
 
+void new_outline_sheet(Work& work, Rect place) {
+  const Theme& t = theme();
+  NewOutline& fresh = *work.outline;
+  Rect head = place.cut_top(56).inset(16, 6);
+  Look keep;
+  keep.primary = true;
+  if (button("Keep", head.cut_right(104), keep)) return keep_outline(work);
+  for (const Command command : {Command::other_joint, Command::redraw}) {
+    head.cut_right(8);
+    Look look;
+    look.on = command == Command::other_joint && work.view.picking_joint;
+    command_button(work, command, head.cut_right(command == Command::redraw ? 108.0f : 136.0f),
+                   look);
+  }
+  write(head.cut_left(text_width(Font::title, "New outline") + 12), Font::title, t.text,
+        "New outline");
+  write(head, Font::caption, t.muted, about(fresh.line));
+  Rect row = place.cut_top(46).inset(12, 1);
+  const int shown = std::min(4, int(fresh.joints.size()));
+  const float width = (row.w - 8 * float(shown - 1)) / float(shown);
+  for (int i = 0; i < shown; ++i) {
+    candidate_card(work, i, row.cut_left(width));
+    row.cut_left(8);
+  }
+  place.cut_top(4);
+  making_row(work, place);
+}
+
 void outline_panel(Work& work, Rect place) {
   const Theme& t = theme();
   const bool fresh = work.outline.has_value();

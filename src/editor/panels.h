@@ -16,6 +16,7 @@ struct RailEntry {
   std::optional<Tool> tool;  // armed by it; else done at once
 };
 std::vector<RailEntry> tools_of(Mode mode);
+Rect rail_place(const Work& work, const Layout& layout);  // as high as its tools, on tablets
 void tool_rail(Work& work, const Layout& layout);
 void canvas(Work& work, const Layout& layout, float pixel_ratio);
 void model_view(Work& work, const Layout& layout, float pixel_ratio);
@@ -33,6 +34,10 @@ std::string fit_in_words(const Work& work, int joint, int frame);
 void skeleton_panel(Work& work, Rect place);
 void template_cards(Work& work, Rect place, int columns);
 void pose_panel(Work& work, Rect place);  // Pose: the calibration's proposal
+// What waits for an answer, on tablets in place of the parts.
+void proposal_sheet(Work& work, Rect place);
+void new_outline_sheet(Work& work, Rect place);
+void skeleton_sheet(Work& work, Rect place);
 void export_sheet(Work& work, const Rect& place);
 void drawing_strip(Work& work, const Layout& layout);
 void timeline(Work& work, const Layout& layout);
@@ -44,13 +49,15 @@ void question_sheet(Work& work, float width, float height);
 void main_menu(Work& work, const Rect& button);
 
 // What the chosen tool does on the canvas with the pointer.
-void use_tool(Work& work, const Rect& place, const OnScreen& on);
+//   clear  where no other tools float over it
+void use_tool(Work& work, const Rect& place, const Rect& clear, const OnScreen& on);
 
 // Over the drawing in Pose: where the model's edge and the outlines part ways.
 void paint_fit_marks(Work& work, const OnScreen& on);
 void paint_fit_tag(Work& work, const Rect& place, const OnScreen& on);  // the worst of them
 
 // Beside the body in Pose: the ball that turns it, its side view, the drawings to copy from.
+std::vector<Rect> pose_inset_places(const Layout& layout);
 void pose_insets(Work& work, const Layout& layout, float pixel_ratio);
 // Whether the wheel over the canvas twists a bone rather than zooms.
 bool wheel_twists(const Work& work, const OnScreen& on);

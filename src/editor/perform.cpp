@@ -178,7 +178,7 @@ void add_blank_drawing(Work& work) {
   frame.height = work.has_frame() ? work.frame().height : 800;
   work.commit("Add " + frame.name, with_frame(work.document(), std::move(frame)));
   work.view.frame = int(work.document().frames.size()) - 1;
-  work.view.fit = true;
+  work.view.fit_again();
   work.view.tool() = work.view.mode == Mode::outline ? Tool::draw : work.view.tool();
 }
 
@@ -274,7 +274,7 @@ void perform(Work& work, Command command) {
       view.layer().model = !view.layer().model;
       break;
     case Command::fit:
-      view.fit = true;
+      view.fit_again();
       break;
     case Command::home:
       if (const Built* shown = work.shown()) look_at(work, shown->model);

@@ -38,9 +38,21 @@ void paint_ball(ImVec2 centre, const Mat3& turn, bool active) {
   draw().Flags = flags;
 }
 
+Rect ball_place(const Rect& canvas) {
+  return {canvas.x + kMargin, canvas.bottom() - kMargin - 2 * kBallGround, 2 * kBallGround,
+          2 * kBallGround};
+}
+
+// On tablets the model stands in the lower corner.
+Rect side_place(const Layout& layout) {
+  const Rect& canvas = layout.canvas;
+  const float height = kSide + kSideHead;
+  return {canvas.right() - kMargin - kSide,
+          layout.tablet ? canvas.y + 68 : canvas.bottom() - kMargin - height, kSide, height};
+}
+
 void turning_ball(Work& work, const Rect& canvas) {
-  const Rect place{canvas.x + kMargin, canvas.bottom() - kMargin - 2 * kBallGround, 2 * kBallGround,
-                   2 * kBallGround};
+  const Rect place = ball_place(canvas);
   const Press press = press_area("Turn the body", place);
   if (ImGui::IsItemActivated()) work.gesture = {};
   const ImGuiIO& io = ImGui::GetIO();
@@ -154,6 +166,10 @@ void poses_to_copy(Work& work, const Rect& canvas) {
 
 }  // namespace
 
+std::vector<Rect> pose_inset_places(const Layout& layout) {
+  return {ball_place(layout.canvas), side_place(layout)};
+}
+
 void pose_insets(Work& work, const Layout& layout, float pixel_ratio) {
   const Rect& canvas = layout.canvas;
   poses_to_copy(work, canvas);
@@ -163,10 +179,7 @@ void pose_insets(Work& work, const Layout& layout, float pixel_ratio) {
   ImVec2 corner{canvas.x + kMargin, canvas.bottom() - kMargin};
   (layout.tablet ? corner.x : corner.y) += (layout.tablet ? 1 : -1) * (2 * kBallGround + kMargin);
   bend_chooser(work, corner);
-  const float height = kSide + kSideHead;
-  // On tablets the model stands in the lower corner.
-  const float y = layout.tablet ? canvas.y + 68 : canvas.bottom() - kMargin - height;
-  side_view(work, {canvas.right() - kMargin - kSide, y, kSide, height}, pixel_ratio);
+  side_view(work, side_place(layout), pixel_ratio);
 }
 
 }  // namespace artisketch

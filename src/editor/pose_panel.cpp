@@ -23,13 +23,10 @@ double farthest_off(const Work& work, const std::vector<FrameFit>& fits) {
   return farthest;
 }
 
-void proposal_card(Work& work, Rect& place) {
+// What the calibration found for the drawing.
+void proposal_words(const Work& work, Rect column) {
   const Theme& t = theme();
-  Proposal& proposal = *work.proposal;
-  const Rect card = place.cut_top(180).inset(12, 0);
-  draw().AddRectFilled(card.min(), card.max(), t.panel, kRadiusCard);
-  draw().AddRect(card.min(), card.max(), t.accent, kRadiusCard, 0, 1.5f);
-  Rect column = card.inset(12);
+  const Proposal& proposal = *work.proposal;
   Rect head = column.cut_top(22);
   write_icon({head.x + 8, head.centre().y}, IconSize::small, t.accent, icon::kCrosshairsGps);
   head.cut_left(24);
@@ -49,19 +46,23 @@ void proposal_card(Work& work, Rect& place) {
                                         : "Largest turn: " + part_words(work, most) + ", " +
                                               std::to_string(int(std::lround(angle))) + "°";
   write(column.cut_top(18), Font::caption, t.muted, words);
-  column.cut_top(10);
+}
+
+void mine_or_calibrated(Proposal& proposal, const Rect& place) {
   std::vector<std::pair<std::string, Look>> choices(2);
   choices[0].first = "Mine";
   choices[1].first = "Calibrated";
   choices[std::size_t(proposal.shown)].second.on = true;
-  const int clicked = segments(choices, column.cut_top(32), Font::caption);
+  const int clicked = segments(choices, place, Font::caption);
   if (clicked >= 0) proposal.shown = clicked == 1;
-  column.cut_top(12);
-  Rect row = column.cut_top(36);
+}
+
+// The proposal may be gone after it.
+void keep_or_discard(Work& work, Rect row) {
+  const Proposal& proposal = *work.proposal;
   Look keep;
   keep.primary = true;
-  const float width = row.w * 0.6f;
-  if (button("Keep calibrated", row.cut_left(width), keep)) {
+  if (button("Keep calibrated", row.cut_left(row.w * 0.6f), keep)) {
     // Only the ticked joints' rotations are taken.
     Document next = proposal.document;
     for (std::size_t f = 0; f < next.frames.size(); ++f)
@@ -74,6 +75,19 @@ void proposal_card(Work& work, Rect& place) {
   }
   row.cut_left(8);
   if (button("Discard", row)) work.proposal.reset();
+}
+
+void proposal_card(Work& work, Rect& place) {
+  const Theme& t = theme();
+  const Rect card = place.cut_top(180).inset(12, 0);
+  draw().AddRectFilled(card.min(), card.max(), t.panel, kRadiusCard);
+  draw().AddRect(card.min(), card.max(), t.accent, kRadiusCard, 0, 1.5f);
+  Rect column = card.inset(12);
+  proposal_words(work, column.cut_top(58));
+  column.cut_top(10);
+  mine_or_calibrated(*work.proposal, column.cut_top(32));
+  column.cut_top(12);
+  keep_or_discard(work, column.cut_top(36));
 }
 
 std::string in_pixels(double distance) {
@@ -176,6 +190,15 @@ void chosen_joint(const Work& work, Rect& place) {
 }
 
 }  // namespace
+
+void proposal_sheet(Work& work, Rect place) {
+  Rect row = place.inset(16, 22);
+  Rect answers = row.cut_right(340);
+  proposal_words(work, row);
+  mine_or_calibrated(*work.proposal, answers.cut_top(44));
+  answers.cut_top(12);
+  keep_or_discard(work, answers.cut_top(44));
+}
 
 void pose_panel(Work& work, Rect place) {
   const Theme& t = theme();

@@ -161,7 +161,9 @@ void shortcut_sheet(Work& work, float width, float height) {
 void toasts(Work& work, const Layout& layout) {
   const Theme& t = theme();
   const double now = ImGui::GetTime();
-  float bottom = (layout.tablet ? layout.inspector.y : layout.strip.y) - 12;
+  // Over the band below the drawing, or the head of a tablet's sheet: the figure stays in view.
+  constexpr float kBand = 44, kSheetHead = 52;
+  float bottom = layout.tablet ? layout.inspector.y + kSheetHead - 4 : layout.strip.y - 2;
   for (std::size_t i = 0; i < work.toasts.size();) {
     Toast& toast = work.toasts[i];
     if (toast.since < 0) toast.since = now;
@@ -177,7 +179,7 @@ void toasts(Work& work, const Layout& layout) {
     const float text = std::min(text_width(Font::body, toast.words), std::max(120.0f, most));
     const int lines =
         std::max(1, int(std::ceil(text_width(Font::body, toast.words) / text - 0.02f)));
-    const float high = 24 + 20 * float(lines);
+    const float high = kBand - 4 + 20 * float(lines - 1);
     const Rect place{layout.rail.w > 0 && !layout.tablet ? layout.rail.right() + 12 : 12,
                      bottom - high, 24 + 22 + text + 12 + actions + 34, high};
     bottom = place.y - 8;

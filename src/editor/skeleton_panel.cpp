@@ -77,11 +77,17 @@ void name_row(Work& work, Rect row) {
     work.commit("Rename " + words.whole(), std::move(next));
 }
 
+std::string fellow_words(const Work& work) {
+  const std::vector<Joint>& joints = work.document().skeleton.joints;
+  const int mirror = joints[std::size_t(work.view.joint)].mirror;
+  if (mirror < 0) return "Has no mirror image";
+  if (mirror == work.view.joint) return "In the middle";
+  return "Mirror image of " + joint_words(joints[std::size_t(mirror)].name).whole();
+}
+
 void chosen_joint(Work& work, Rect& place) {
   const Theme& t = theme();
-  const Skeleton& skeleton = work.document().skeleton;
-  const int joint = work.view.joint;
-  if (joint < 0) {
+  if (work.view.joint < 0) {
     const float taken = write_lines(place.inset(16, 0), Font::body, t.muted,
                                     "Choose a joint to move or name it. Then a click beside it "
                                     "adds the next one.",
@@ -91,13 +97,7 @@ void chosen_joint(Work& work, Rect& place) {
   }
   name_row(work, place.cut_top(34).inset(16, 0));
   place.cut_top(6);
-  const int mirror = skeleton.joints[std::size_t(joint)].mirror;
-  const std::string fellow =
-      mirror < 0 ? "Has no mirror image"
-      : mirror == joint
-          ? "In the middle"
-          : "Mirror image of " + joint_words(skeleton.joints[std::size_t(mirror)].name).whole();
-  write(place.cut_top(20).inset(42, 0), Font::caption, t.muted, fellow);
+  write(place.cut_top(20).inset(42, 0), Font::caption, t.muted, fellow_words(work));
   place.cut_top(8);
   Rect row = place.cut_top(34).inset(16, 0);
   command_button(work, Command::equalise, row.cut_left(row.w / 2 - 4));
@@ -133,6 +133,21 @@ void template_cards(Work& work, Rect place, int columns) {
     template_card(work, all_templates()[std::size_t(i)],
                   {place.x + float(i % columns) * (width + gap),
                    place.y + float(i / columns) * (height + gap), width, height});
+}
+
+void skeleton_sheet(Work& work, Rect place) {
+  if (work.view.joint < 0)
+    return template_cards(work, place.inset(12, 14), int(all_templates().size()));
+  place = place.inset(16, 20);
+  Rect row = place.cut_top(44);
+  size_row(work, row.cut_right(260).middle(260, 34));
+  row.cut_right(24);
+  name_row(work, row);
+  place.cut_top(12);
+  row = place.cut_top(44);
+  checkbox("Both sides alike", row.cut_right(260).middle(260, 30), work.view.both_sides);
+  row.cut_left(26);
+  write(row, Font::caption, theme().muted, fellow_words(work));
 }
 
 void skeleton_panel(Work& work, Rect place) {

@@ -120,7 +120,7 @@ void card(Work& work, int f, const Rect& place, bool slim, bool narrow) {
   const PartCount c = count_parts(work, f);
   const float line = slim ? row.h / 2 : row.h / 3;
   Rect title = row.cut_top(line);
-  if (!slim)
+  if (!slim && !narrow)
     write(title.cut_left(text_width(Font::body, number) + 7), Font::body, on ? t.accent : t.muted,
           number);
   write(title, Font::body_bold, t.text, name);
@@ -159,13 +159,18 @@ void drawing_strip(Work& work, const Layout& layout) {
   hairline({place.x, place.y}, {place.right(), place.y + 1});
   const bool slim = place.h < 100;
   Rect row = place.inset(12, slim ? 8 : 10);
-  const float width = layout.tablet ? 168 : slim ? 168 : 208;
   const int frames = int(work.document().frames.size());
+  float width = layout.tablet ? 168 : slim ? 168 : 208;
+  // Names are whole as far as there is room.
+  for (int f = 0; f < frames; ++f)
+    width = std::max(width, std::min(232.0f, row.h + 16 + (slim || layout.tablet ? 0 : 15) +
+                                                 text_width(Font::body_bold,
+                                                            drawing_words(work.document(), f))));
   // Many drawings scroll with the wheel.
   float& scroll = work.view.strip_scroll;
-  const float add = layout.tablet ? 92 : 104;
-  constexpr float kCamera = 130;
-  const float needed = (width + 8) * float(frames) + add + 20 + kCamera;
+  const float add = layout.tablet ? 72 : 104, camera = layout.tablet ? 104 : 130;
+  const float gap = layout.tablet ? 14 : 20;
+  const float needed = (width + 8) * float(frames) + add + gap + camera;
   if (ImGui::IsWindowHovered()) scroll -= 60 * ImGui::GetIO().MouseWheel;
   scroll = std::clamp(scroll, 0.0f, std::max(0.0f, needed - row.w));
   row.x -= scroll;
@@ -179,14 +184,14 @@ void drawing_strip(Work& work, const Layout& layout) {
   if (press.hovered)
     draw().AddRectFilled(more.min(), more.max(), faded(t.control, 0.6f), kRadiusCard);
   dashed_frame(more, kRadiusCard, t.disabled);
-  write_icon({more.centre().x, more.centre().y - (slim ? 0 : 10)}, IconSize::normal, t.muted,
-             icon::kPlus);
-  if (!slim)
+  write_icon({more.centre().x, more.centre().y - (slim || layout.tablet ? 0 : 10)},
+             IconSize::normal, t.muted, icon::kPlus);
+  if (!slim && !layout.tablet)
     write({more.x, more.centre().y + 4, more.w, 18}, Font::caption, t.muted, "Add drawing",
           Align::centre);
   if (press.clicked) work.ask(Command::add_drawings);
   const float tall = slim ? 30 : 54;
-  camera_choice(work, {more.right() + 20, row.y + (row.h - tall) / 2, kCamera, tall}, slim);
+  camera_choice(work, {more.right() + gap, row.y + (row.h - tall) / 2, camera, tall}, slim);
 }
 
 }  // namespace artisketch

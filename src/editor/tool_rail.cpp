@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "editor/panels.h"
 
 namespace artisketch {
@@ -29,19 +31,35 @@ std::vector<RailEntry> tools_of(Mode mode) {
   return {};
 }
 
+namespace {
+
+constexpr float kGap = 13;      // between what is taken up and what is done at once
+constexpr float kFingers = 60;  // a tool's height on tablets
+
+bool has_gap(const std::vector<RailEntry>& entries) {
+  return std::any_of(entries.begin(), entries.end(),
+                     [&](const RailEntry& entry) { return !entry.tool && entries[0].tool; });
+}
+
+}  // namespace
+
+Rect rail_place(const Work& work, const Layout& layout) {
+  Rect place = layout.rail;
+  const std::vector<RailEntry> entries = tools_of(work.view.mode);
+  if (layout.tablet) place.h = kFingers * float(entries.size()) + 8 + (has_gap(entries) ? kGap : 0);
+  return place;
+}
+
 void tool_rail(Work& work, const Layout& layout) {
   const Theme& t = theme();
   const std::vector<RailEntry> entries = tools_of(work.view.mode);
   const bool words = !layout.compact;
-  const float height = layout.tablet    ? 60
+  const float height = layout.tablet    ? kFingers
                        : layout.compact ? 40
                                         : 52,
               step = height + (layout.tablet ? 0 : 2);
-  constexpr float kGap = 13;
-  Rect place = layout.rail;
-  bool gap = false;
-  for (const RailEntry& entry : entries) gap = gap || (!entry.tool && entries[0].tool);
-  if (layout.tablet) place.h = step * float(entries.size()) + 8 + (gap ? kGap : 0);
+  const Rect place = rail_place(work, layout);
+  const bool gap = has_gap(entries);
   const Panel panel("Tools", place, t.panel,
                     layout.tablet ? Panel::Layer::floating : Panel::Layer::base,
                     layout.tablet ? kRadiusPanel : 0);

@@ -4,7 +4,7 @@
 
 namespace artisketch {
 
-void use_tool(Work& work, const Rect& place, const OnScreen& on) {
+void use_tool(Work& work, const Rect& place, const Rect& clear, const OnScreen& on) {
   Pointer p = pointer_on(place, on);
   switch (work.view.mode) {
     case Mode::outline:
@@ -19,7 +19,7 @@ void use_tool(Work& work, const Rect& place, const OnScreen& on) {
         cut_tool(work, p, on);
       else
         edit_tool(work, p, on);
-      if (work.outline) pending_outline(work, place, on);
+      if (work.outline) pending_outline(work, clear, on);
       break;
     case Mode::skeleton:
       skeleton_tool(work, p, on);

@@ -22,7 +22,7 @@ void drawings_beside(Work& work, Rect column) {
     draw().AddRect(card.min(), card.max(), f == lit ? t.accent : t.line, kRadius, 0,
                    f == lit ? 2.5f : 1.0f);
     const std::string name = drawing_words(work.document(), f);
-    const Rect label{card.x + 8, card.bottom() - 20, card.w - 12, 16};
+    const Rect label{card.x + 6, card.bottom() - 20, card.w - 9, 16};
     draw().AddRectFilled(  // legible over feet
         {label.x - 3, label.y},
         {label.x + std::min(label.w, text_width(Font::small, name)) + 3, label.bottom()},
@@ -158,15 +158,16 @@ void welcome(Work& work, const Layout& layout, float pixel_ratio) {
   Rect all{0, layout.top.bottom(), layout.top.w,
            (layout.tablet ? layout.strip.bottom() : layout.status.y) - layout.top.bottom()};
   if (layout.tablet) all.cut_top(layout.modes.h);
-  Rect steps = layout.tablet ? all.cut_bottom(std::min(700.0f, all.h * 0.62f))
+  Rect steps = layout.tablet ? all.cut_bottom(std::min(616.0f, all.h * 0.6f))
                              : all.cut_right(layout.compact ? 400 : 448);
-  const Rect examples = layout.tablet ? Rect{} : all.cut_bottom(layout.compact ? 100 : 168);
+  const Rect examples = all.cut_bottom(layout.compact || layout.tablet ? 100 : 168);
   {
     const Panel panel("Hero", all, t.canvas);
     const ImU32 top = t.dark ? rgb(0x23262C) : rgb(0xEDEFF2);
     draw().AddRectFilledMultiColor(all.min(), all.max(), top, top, t.canvas, t.canvas);
     if (work.built) {
       Rect stage = all;
+      if (layout.tablet) stage.cut_top(44);  // below its name
       const Eye eye = orbit_eye(work.view.orbit, stage);
       work.built->picture->pose(work.shown_pose(), work.shown_footing());
       PaintOptions options;
@@ -188,10 +189,10 @@ void welcome(Work& work, const Layout& layout, float pixel_ratio) {
       write(head, Font::caption, t.muted,
             std::string("made from these ") + (count < 5 ? numbers[count] : "drawings") +
                 ". Drag to turn it, Space stops it.");
-      drawings_beside(work, Rect{all.x + 24, all.y + 60, 132, all.h - 84});
+      drawings_beside(work, Rect{all.x + 24, all.y + 60, 132, all.h - 72});
     }
   }
-  if (!layout.tablet) {
+  {
     const Panel panel("Examples", examples, t.panel);
     hairline({examples.x, examples.y}, {examples.right(), examples.y + 1});
     gallery(work, examples);

@@ -147,8 +147,12 @@ struct View {
   bool picking_joint = false;          // the next joint that is clicked gets the chosen outline
 
   bool fit = true;  // the drawing fills the canvas
-  float zoom = 1;   // points per pixel of the sketch
-  ImVec2 origin;    // where the sketch's corner stands in the window
+  // On tablets it keeps its place while its figure changes.
+  int fitted_frame = -1;
+  Mode fitted_mode = Mode::outline;
+  ImVec2 fitted_size;
+  float zoom = 1;  // points per pixel of the sketch
+  ImVec2 origin;   // where the sketch's corner stands in the window
 
   Orbit orbit;
   Surface surface = Surface::textured;
@@ -168,6 +172,7 @@ struct View {
   bool dark = true;
   bool help = false;
 
+  void fit_again() { fit = true, fitted_frame = -1; }
   Layers& layer() { return layers[std::size_t(mode)]; }
   const Layers& layer() const { return layers[std::size_t(mode)]; }
   Tool& tool() { return tools[std::size_t(mode)]; }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Tracing, cutting, outlines, the skeleton and drawings on their way in, through the pointer."""
-import json, pathlib, subprocess
+import json, math, pathlib, subprocess
 
 from editor_window import Window, examples, pictures, run
 
@@ -32,6 +32,30 @@ def cell_says(window, label, words):
     """The words of a part in a drawing stand in the inspector once its mark is clicked."""
     window.click(label)
     window.wait(lambda: words in labels(window), why=f"{words!r} at {label}")
+
+
+def outlines_and_names_on_a_tablet():
+    window = Window("820x1180", examples / "hero/hero.artisketch")
+    window.click("Draw tool")
+    x, y = at(window, 250, 330)
+    window.drag([(x + 40 * math.cos(t / 5), y + 40 * math.sin(t / 5)) for t in range(32)])
+    window.wait(lambda: "Keep" in labels(window), why="the new outline")
+    window.picture("tablet-new-outline")
+    window.click("Keep")
+    window.wait(lambda: window.state()["undo"].startswith("Draw "), why="the outline")
+    window.wait(lambda: {"Redraw", "Other joint", "Join"} <= labels(window), why="its buttons")
+    window.picture("tablet-outline")
+    window.key("ctrl+z")
+    window.click("Skeleton mode")
+    click(window, middle(window, "Joint Hand L"))
+    window.wait(lambda: "Joint name" in labels(window), why="the joint's name")
+    window.picture("tablet-skeleton")
+    window.click("Joint name")
+    window.key("ctrl+a")
+    window.x("type", "--delay", "40", "paw")
+    window.key("Return")
+    undo_is(window, "Rename Hand L")
+    window.close()
 
 
 def settles_what_a_drawing_hides():
@@ -270,5 +294,5 @@ def takes_drawings_in():
 
 
 run(traces_and_cuts, gives_outlines_to_parts, joins_copies_and_picks_joints, mends_a_crossing,
-    builds_a_skeleton, takes_drawings_in, settles_what_a_drawing_hides,
+    builds_a_skeleton, takes_drawings_in, outlines_and_names_on_a_tablet, settles_what_a_drawing_hides,
     says_that_a_part_inside_others_shows_no_edge)

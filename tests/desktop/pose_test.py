@@ -104,6 +104,26 @@ def suggests_and_asks_which_way():
     window.close()
 
 
+def calibrates_on_a_tablet():
+    window = in_pose(size="820x1180")
+    model, side = window.control("Turn the model"), window.control("From the side")
+    ball = window.control("Turn the body")
+    for name in ("Head", "Hand L", "Hand R", "Foot L", "Foot R"):
+        x, y = joint(window, name)
+        for over in (model, side, ball):
+            assert not (over["x"] < x < over["x"] + over["width"]
+                        and over["y"] < y < over["y"] + over["height"]), f"{name} is covered"
+    window.click("Calibrate")
+    window.wait(lambda: any(w["label"] == "Keep calibrated" for w in window.widgets()), 30,
+                "the proposal")
+    time.sleep(1)
+    window.picture("tablet-calibrated")
+    window.click("Mine")
+    window.click("Keep calibrated")
+    window.wait(lambda: window.state()["undo"] == "Keep calibrated", why="the kept pose")
+    window.close()
+
+
 def shows_the_parts_and_where_they_miss():
     window = Window("1440x900", examples / "hero/hero.artisketch")
     window.wait(lambda: window.state()["liveParts"] == 15, why="the parts without a word")
@@ -242,6 +262,6 @@ def calibrates_compares_and_keeps():
 
 
 run(drags_a_limb, turns_twists_flips_and_locks, changes_depth_from_the_side_and_copies,
-    suggests_and_asks_which_way, calibrates_compares_and_keeps,
+    suggests_and_asks_which_way, calibrates_compares_and_keeps, calibrates_on_a_tablet,
     shows_the_parts_and_where_they_miss, compares_a_model_at_the_poses_it_was_made_at,
     sets_keys_and_moves_them, shapes_joints_and_fatness, shows_the_joints_of_an_example, seconds=460)
