@@ -21,12 +21,22 @@ constexpr std::array<std::array<int, 2>, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1},
 
 // ---------------------------------------------------------------- a drawing's colours
 
+float lightness(const Pixel& pixel) {
+  return float(pixel[0] + pixel[1] + pixel[2]) / (3 * 255);
+}
+
+struct Span {
+  int begin = 0, end = 0;
+  int size() const { return end - begin; }
+};
+
 // The model over one drawing, while its colours are made.
 struct Overlay {
   const Picture& picture;
   const Triangles& F;
   Visible seen;
   double pixel = 0;  // units
+  Span x, y;         // the pixels that the model lies in
 
   std::size_t index(int x, int y) const { return std::size_t(y) * seen.width + x; }
   bool inside(int x, int y) const {
@@ -42,27 +52,47 @@ struct Overlay {
         if (F(f, i) == F(g, j)) return true;
     return false;
   }
-  Rgb colour(std::size_t p) const {
-    return Rgb(picture.rgba[4 * p], picture.rgba[4 * p + 1], picture.rgba[4 * p + 2]) / 255;
+  Pixel pixel_at(std::size_t p) const {
+    Pixel pixel;
+    std::copy_n(&picture.rgba[4 * p], 4, pixel.begin());
+    return pixel;
   }
   bool opaque(std::size_t p) const { return picture.rgba[4 * p + 3] >= 128; }
 };
+
+Overlay overlay_of(const Picture& picture, const Triangles& F, Visible seen, double pixel) {
+  Overlay o{picture, F, std::move(seen), pixel, {}, {}};
+  o.x = {o.seen.width, 0};
+  o.y = {o.seen.height, 0};
+  for (int y = 0; y < o.seen.height; ++y) {
+    const auto row = o.seen.face.begin() + std::ptrdiff_t(o.index(0, y));
+    const auto shown = [](int face) { return face >= 0; };
+    const int first = int(std::find_if(row, row + o.seen.width, shown) - row);
+    if (first == o.seen.width) continue;
+    int last = o.seen.width;
+    while (!shown(row[last - 1])) --last;
+    o.x = {std::min(o.x.begin, first), std::max(o.x.end, last)};
+    o.y = {std::min(o.y.begin, y), y + 1};
+  }
+  if (o.x.size() < 0) o.x = o.y = {};
+  return o;
+}
 
 // Pixels from each pixel of the model to its nearest outline: chamfer distances (Borgefors 1986).
 std::vector<float> outline_distances(const Overlay& o) {
   const int w = o.seen.width, h = o.seen.height;
   constexpr float kDiagonal = 1.414f;
   std::vector<float> distance(o.seen.face.size(), 0.0f);
-  for (int y = 0; y < h; ++y)
-    for (int x = 0; x < w; ++x) {
+  const auto mark = [&](std::size_t p) { distance[p] = std::min(distance[p], 0.5f); };
+  for (int y = o.y.begin; y < o.y.end; ++y)
+    for (int x = o.x.begin; x < o.x.end; ++x) {
       if (!o.inside(x, y)) continue;
       const std::size_t p = o.index(x, y);
       distance[p] = std::numeric_limits<float>::max();
-      for (const auto& [dx, dy] : kBeside)
-        if (!o.inside(x + dx, y + dy) || !o.runs_on(p, o.index(x + dx, y + dy))) {
-          distance[p] = 0.5f;
-          break;
-        }
+      if (!o.inside(x - 1, y) || !o.inside(x + 1, y) || !o.inside(x, y - 1) || !o.inside(x, y + 1))
+        mark(p);
+      if (o.inside(x - 1, y) && !o.runs_on(p, p - 1)) mark(p), mark(p - 1);
+      if (o.inside(x, y - 1) && !o.runs_on(p, p - w)) mark(p), mark(p - w);
     }
   const auto relax = [&](int x, int y, int sign) {
     float& d = distance[o.index(x, y)];
@@ -72,10 +102,10 @@ std::vector<float> outline_distances(const Overlay& o) {
       if (const int u = x + sign * dx, v = y + sign * dy; u >= 0 && v >= 0 && u < w && v < h)
         d = std::min(d, distance[o.index(u, v)] + step);
   };
-  for (int y = 0; y < h; ++y)
-    for (int x = 0; x < w; ++x) relax(x, y, 1);
-  for (int y = h - 1; y >= 0; --y)
-    for (int x = w - 1; x >= 0; --x) relax(x, y, -1);
+  for (int y = o.y.begin; y < o.y.end; ++y)
+    for (int x = o.x.begin; x < o.x.end; ++x) relax(x, y, 1);
+  for (int y = o.y.end; y-- > o.y.begin;)
+    for (int x = o.x.end; x-- > o.x.begin;) relax(x, y, -1);
   return distance;
 }
 
@@ -87,7 +117,7 @@ float ink_width(const Overlay& o, const std::vector<float>& distance) {
   std::array<double, kBins> light = {}, count = {};
   for (std::size_t p = 0; p < distance.size(); ++p) {
     if (o.seen.face[p] < 0 || !o.opaque(p) || distance[p] >= kBins) continue;
-    light[std::size_t(distance[p])] += o.colour(p).mean();
+    light[std::size_t(distance[p])] += lightness(o.pixel_at(p));
     count[std::size_t(distance[p])] += 1;
   }
   double within = 0, pixels = 0;
@@ -99,10 +129,10 @@ float ink_width(const Overlay& o, const std::vector<float>& distance) {
 }
 
 // Spreads colours to the pixels of the model that have none, without crossing an outline.
-void spread(const Overlay& o, std::vector<Rgb>& colour, std::vector<std::uint8_t>& state) {
+void spread(const Overlay& o, std::vector<Pixel>& colour, std::vector<std::uint8_t>& state) {
   std::vector<std::array<int, 2>> queue;  // coloured, beside what isn't yet
-  for (int y = 0; y < o.seen.height; ++y)
-    for (int x = 0; x < o.seen.width; ++x)
+  for (int y = o.y.begin; y < o.y.end; ++y)
+    for (int x = o.x.begin; x < o.x.end; ++x)
       if (state[o.index(x, y)] == Sketch::drawn &&
           std::any_of(kBeside.begin(), kBeside.end(), [&](const auto& to) {
             return o.inside(x + to[0], y + to[1]) &&
@@ -123,36 +153,28 @@ void spread(const Overlay& o, std::vector<Rgb>& colour, std::vector<std::uint8_t
   }
 }
 
-// Of what is painted; all is light beside it, so that a line along its edge is thin, too.
-std::vector<float> lightness(const Sketch& sketch) {
-  std::vector<float> light(sketch.state.size(), 1.0f);
-  for (std::size_t p = 0; p < light.size(); ++p)
-    if (sketch.state[p] != Sketch::nothing) light[p] = sketch.colour[p].mean();
-  return light;
+// The most (or least) of the columns within r of each, transposed. Two of the largest windows that
+// doubling makes cover each; what is nearer than r to the first or last column is left undefined.
+template <class Better>
+Eigen::ArrayXXf columns_within(Eigen::ArrayXXf a, int r, const Better& better) {
+  const Eigen::Index n = a.cols();
+  Eigen::Index window = 1;  // of column i: the best of [i, i + window)
+  for (; 2 * window <= 2 * r + 1; window *= 2)
+    for (Eigen::Index i = 0; i + window < n; ++i) better(a.col(i), a.col(i + window), a.col(i));
+  Eigen::ArrayXXf out(a.rows(), n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    better(a.col(std::max<Eigen::Index>(i - r, 0)),
+           a.col(std::clamp<Eigen::Index>(i + r + 1 - window, 0, n - 1)), out.col(i));
+  return out.transpose();
 }
 
 // Morphological closing by a square of side 2 r + 1: what is dark and thinner than that is filled.
-std::vector<float> without_thin_dark(std::vector<float> light, int width, int height, int r) {
-  const auto filter = [&](int count, int length, std::size_t across, std::size_t along,
-                          const auto& better) {
-    std::vector<float> line(length);
-    for (int i = 0; i < count; ++i) {
-      float* at = &light[i * across];
-      for (int k = 0; k < length; ++k) line[k] = at[k * along];
-      for (int k = 0; k < length; ++k) {
-        float best = line[k];
-        for (int n = std::max(k - r, 0); n <= std::min(k + r, length - 1); ++n)
-          best = better(best, line[n]);
-        at[k * along] = best;
-      }
-    }
-  };
-  const auto both = [&](const auto& better) {
-    filter(height, width, std::size_t(width), 1, better);
-    filter(width, height, 1, std::size_t(width), better);
-  };
-  both([](float a, float b) { return std::max(a, b); });
-  both([](float a, float b) { return std::min(a, b); });
+// The outermost r rows and columns have to be light.
+Eigen::ArrayXXf without_thin_dark(Eigen::ArrayXXf light, int r) {
+  const auto most = [](const auto& a, const auto& b, auto&& out) { out = a.max(b); };
+  const auto least = [](const auto& a, const auto& b, auto&& out) { out = a.min(b); };
+  for (int axis = 0; axis < 2; ++axis) light = columns_within(std::move(light), r, most);
+  for (int axis = 0; axis < 2; ++axis) light = columns_within(std::move(light), r, least);
   return light;
 }
 
@@ -161,7 +183,7 @@ std::vector<float> without_thin_dark(std::vector<float> light, int width, int he
 void fill_colours(const Overlay& o, Sketch& sketch) {
   const std::vector<float> distance = outline_distances(o);
   const float ink = ink_width(o, distance);
-  sketch.colour.assign(distance.size(), Rgb::Zero());
+  sketch.colour.assign(distance.size(), Pixel{});
   sketch.state.assign(distance.size(), Sketch::nothing);
   // The middle of what is thinner than two lines of ink is still its best colour.
   const auto in_the_middle = [&](int x, int y) {
@@ -171,21 +193,32 @@ void fill_colours(const Overlay& o, Sketch& sketch) {
         if (distance[o.index(u, v)] > d) return false;
     return d > 1;
   };
-  for (int y = 0; y < sketch.height; ++y)
-    for (int x = 0; x < sketch.width; ++x) {
+  for (int y = o.y.begin; y < o.y.end; ++y)
+    for (int x = o.x.begin; x < o.x.end; ++x) {
       const std::size_t p = o.index(x, y);
       if (!o.inside(x, y) || !o.opaque(p)) continue;
       if (distance[p] < ink && !in_the_middle(x, y)) continue;
-      sketch.colour[p] = o.colour(p);
+      sketch.colour[p] = o.pixel_at(p);
       sketch.state[p] = Sketch::drawn;
     }
   spread(o, sketch.colour, sketch.state);
   sketch.plain = sketch.colour;
   std::vector<std::uint8_t> state = sketch.state;
-  const std::vector<float> light = lightness(sketch);
-  const std::vector<float> closed = without_thin_dark(light, sketch.width, sketch.height, int(ink));
-  for (std::size_t p = 0; p < state.size(); ++p)
-    if (state[p] == Sketch::pulled || light[p] < closed[p] - kInkDarker) state[p] = Sketch::nothing;
+  const int r = int(ink);
+  const auto each = [&](Eigen::ArrayXXf& values, const auto& visit) {
+    for (int y = o.y.begin; y < o.y.end; ++y)
+      for (int x = o.x.begin; x < o.x.end; ++x)
+        visit(o.index(x, y), values(x - o.x.begin + r, y - o.y.begin + r));
+  };
+  // All is light beside the model, so that a line along its edge is thin, too.
+  Eigen::ArrayXXf light = Eigen::ArrayXXf::Ones(o.x.size() + 2 * r, o.y.size() + 2 * r);
+  each(light, [&](std::size_t p, float& here) {
+    if (state[p] != Sketch::nothing) here = lightness(sketch.colour[p]);
+  });
+  Eigen::ArrayXXf darker = without_thin_dark(light, r) - light;
+  each(darker, [&](std::size_t p, float by) {
+    if (state[p] == Sketch::pulled || by > kInkDarker) state[p] = Sketch::nothing;
+  });
   spread(o, sketch.plain, state);
 }
 
@@ -273,7 +306,7 @@ void judge(const Points3& V, const Triangles& F, const FrameCamera& camera, cons
 
 }  // namespace
 
-std::optional<Rgb> Sketch::at(const std::vector<Rgb>& colours, const Vec2& pixel,
+std::optional<Rgb> Sketch::at(const std::vector<Pixel>& colours, const Vec2& pixel,
                               double depth_there, double reach) const {
   const Vec2 p = pixel - Vec2::Constant(0.5);
   if (!(p.x() > -1 && p.y() > -1 && p.x() < width && p.y() < height)) return std::nullopt;
@@ -288,11 +321,11 @@ std::optional<Rgb> Sketch::at(const std::vector<Rgb>& colours, const Vec2& pixel
       const std::size_t at = std::size_t(v) * width + u;
       const float w = (i ? wx : 1 - wx) * (j ? wy : 1 - wy);
       if (w <= 0 || state[at] == nothing || !(std::abs(depth[at] - depth_there) <= reach)) continue;
-      sum += w * colours[at];
+      sum += w * Rgb(colours[at][0], colours[at][1], colours[at][2]);
       all += w;
     }
   if (all <= 0) return std::nullopt;
-  return Rgb(sum / all);
+  return Rgb(sum / (255 * all));
 }
 
 std::optional<Rgb> SurfaceView::colour(const std::vector<Sketch>& sketches, const Triangles& F,
@@ -329,12 +362,13 @@ Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const P
     view.sketch = int(out.sketches.size());
     view.reach = 3 * kStep * pixel;
     project(V, camera, view);
-    Overlay overlay{drawings[f], F, {}, pixel};
     const bool perspective = camera.camera.type == Camera::Type::perspective;
-    overlay.seen = raster_triangles(
-        view.pixels, view.depth,
-        perspective ? std::span<const double>(view.depth) : std::span<const double>(), F,
-        frame.width, frame.height);
+    Overlay overlay = overlay_of(drawings[f], F,
+                                 raster_triangles(view.pixels, view.depth,
+                                                  perspective ? std::span<const double>(view.depth)
+                                                              : std::span<const double>(),
+                                                  F, frame.width, frame.height),
+                                 pixel);
     Sketch& sketch = out.sketches.emplace_back();
     sketch.width = frame.width;
     sketch.height = frame.height;
