@@ -1,12 +1,7 @@
 // A part's surface by its contour rays: the default method. Steps in rays_field.
-#include <algorithm>
-
 #include "model/rays_field.h"
 
 namespace artisketch {
-
-// Cells to which the part's distances reach: where parts lie deep in each other all are as deep.
-constexpr float kDeepest = 4;
 
 Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options, Run& run) {
   PartSurface out;
@@ -26,8 +21,6 @@ Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options
   Result<Mesh> mesh = isosurface(out.distance);
   if (!mesh) return mesh.error();
   out.mesh = std::move(*mesh);
-  const float most = kDeepest * float(out.distance.cell);
-  for (float& v : out.distance.values) v = std::clamp(v, -most, most);
   return out;
 }
 
