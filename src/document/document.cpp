@@ -30,6 +30,13 @@ std::vector<Polyline> contours_of(const Frame& frame, int joint) {
   return lines;
 }
 
+std::vector<std::vector<Vec2>> closed_contours(const Frame& frame, int joint) {
+  std::vector<std::vector<Vec2>> polygons;
+  for (const Contour& contour : frame.contours)
+    if (contour.joint == joint && contour.line.closed) polygons.push_back(contour.line.points);
+  return polygons;
+}
+
 std::vector<int> drawn_joints(const Document& document) {
   std::set<int> joints;
   for (const Frame& frame : document.frames)

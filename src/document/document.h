@@ -107,6 +107,9 @@ double pixel_size(const Document& document);
 // The lines that outline a joint's part in a frame, in the order drawn.
 std::vector<Polyline> contours_of(const Frame& frame, int joint);
 
+// The closed ones of them, which bound its part by the even-odd rule, as polygons.
+std::vector<std::vector<Vec2>> closed_contours(const Frame& frame, int joint);
+
 // Joints that carry a contour in at least one frame, ascending.
 std::vector<int> drawn_joints(const Document& document);
 
