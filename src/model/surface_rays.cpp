@@ -1,7 +1,13 @@
 // A part's surface by its contour rays: the default method. Steps in rays_field.
+#include <algorithm>
+
 #include "model/rays_field.h"
 
 namespace artisketch {
+
+// Cells to which the part's distances go down. Strangers that lie in each other part where both are
+// as deep: deep inside a fat part a thin one would have no say, without any gradient neither has.
+constexpr float kDeepest = 6;
 
 Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options, Run& run) {
   PartSurface out;
@@ -21,6 +27,8 @@ Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options
   Result<Mesh> mesh = isosurface(out.distance);
   if (!mesh) return mesh.error();
   out.mesh = std::move(*mesh);
+  const float deepest = -kDeepest * float(out.distance.cell);
+  for (float& v : out.distance.values) v = std::max(v, deepest);
   return out;
 }
 
