@@ -19,7 +19,7 @@ constexpr double kDoubt = 3;      // pixels at which a pull weighs half
 constexpr double kBeside = 1.5;   // pixels beyond the model's outline where nothing of it is left
 constexpr double kAligned = 0.5;  // cosine between the two outlines' normals
 constexpr double kSmooth = 2;     // weight of the squared Laplacian beside a pull's
-constexpr double kStay = 0.02;    // weight of a vertex' own step: it fades out over some rings
+constexpr double kStay = 0.3;     // weight of a vertex' own step: it fades out over two rings
 
 // A vertex on the posed model's outline, and what it misses the drawn one by.
 struct Pull {
