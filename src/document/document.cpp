@@ -36,6 +36,13 @@ bool is_hidden(const Frame& frame, int joint) {
          std::none_of(frame.contours.begin(), frame.contours.end(), outlines);
 }
 
+std::vector<std::vector<Vec2>> closed_contours(const Frame& frame, int joint) {
+  std::vector<std::vector<Vec2>> polygons;
+  for (const Contour& contour : frame.contours)
+    if (contour.joint == joint && contour.line.closed) polygons.push_back(contour.line.points);
+  return polygons;
+}
+
 std::vector<int> drawn_joints(const Document& document) {
   std::set<int> joints;
   for (const Frame& frame : document.frames)

@@ -108,6 +108,9 @@ double pixel_size(const Document& document);
 // The lines that outline a joint's part in a frame, in the order drawn.
 std::vector<Polyline> contours_of(const Frame& frame, int joint);
 
+// The closed ones of them, which bound its part by the even-odd rule, as polygons.
+std::vector<std::vector<Vec2>> closed_contours(const Frame& frame, int joint);
+
 // Whether the drawing doesn't show the joint's part, as the artist says: where it has an outline
 // all the same, that counts.
 bool is_hidden(const Frame& frame, int joint);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <numeric>
 
 namespace artisketch {
@@ -135,35 +137,24 @@ Atlas make_atlas(const Mesh& mesh, const FaceNeighbours& neighbours, const std::
   return atlas;
 }
 
-void fill_gutters(std::vector<Rgb>& texels, std::vector<std::uint8_t>& painted, int width) {
-  const int height = int(texels.size()) / width;
-  struct Place {
-    int x, y;
+void fill_gutters(Texture& picture) {
+  const std::size_t width = std::size_t(picture.width), texels = width * picture.height;
+  std::vector<int> steps(texels);
+  for (std::size_t i = 0; i < texels; ++i)
+    steps[i] = picture.rgba[4 * i + 3] ? 0 : std::numeric_limits<int>::max() - 1;
+  // Two sweeps find all ways along rows and columns (Rosenfeld and Pfaltz 1966).
+  const auto take = [&](std::size_t i, std::size_t from) {
+    if (steps[from] + 1 >= steps[i]) return;
+    steps[i] = steps[from] + 1;
+    std::memcpy(&picture.rgba[4 * i], &picture.rgba[4 * from], 4);
   };
-  const auto visit_beside = [&](const Place& p, auto&& visit) {
-    if (p.x > 0) visit(Place{p.x - 1, p.y});
-    if (p.x + 1 < width) visit(Place{p.x + 1, p.y});
-    if (p.y > 0) visit(Place{p.x, p.y - 1});
-    if (p.y + 1 < height) visit(Place{p.x, p.y + 1});
-  };
-  const auto index = [&](const Place& p) { return std::size_t(p.y) * width + p.x; };
-  std::vector<Place> queue;  // painted, beside what isn't
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      if (!painted[index({x, y})]) continue;
-      bool border = false;
-      visit_beside({x, y}, [&](const Place& q) { border |= !painted[index(q)]; });
-      if (border) queue.push_back({x, y});
-    }
-  for (std::size_t head = 0; head < queue.size(); ++head) {
-    const Place p = queue[head];
-    const Rgb colour = texels[index(p)];
-    visit_beside(p, [&](const Place& q) {
-      if (painted[index(q)]) return;
-      painted[index(q)] = 1;
-      texels[index(q)] = colour;
-      queue.push_back(q);
-    });
+  for (std::size_t i = 0; i < texels; ++i) {
+    if (i % width > 0) take(i, i - 1);
+    if (i >= width) take(i, i - width);
+  }
+  for (std::size_t i = texels; i-- > 0;) {
+    if (i % width + 1 < width) take(i, i + 1);
+    if (i + width < texels) take(i, i + width);
   }
 }
 

@@ -20,7 +20,8 @@ inline constexpr int kGutter = 4;
 Atlas make_atlas(const Mesh& mesh, const FaceNeighbours& neighbours, const std::vector<int>& views,
                  const DrawnSurface& surface, double scale);
 
-// Spreads the colours of the painted texels over all others, nearest first.
-void fill_gutters(std::vector<Rgb>& texels, std::vector<std::uint8_t>& painted, int width);
+// Gives texels without alpha the colour of the nearest one that has it, by steps along rows and
+// columns.
+void fill_gutters(Texture& picture);
 
 }  // namespace artisketch

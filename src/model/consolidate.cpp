@@ -15,7 +15,7 @@ namespace artisketch {
 namespace {
 
 constexpr double kCellsAcrossThinnest = 6;
-constexpr double kWantedVertices = 60000;  // of the lattice's surface, where no part is thinner
+constexpr double kWantedVertices = 40000;  // of the lattice's surface, where no part is thinner
 constexpr double kMostVertices = 120000;
 constexpr double kMostSamples = 1e9;  // of the lattice, stored or not
 constexpr double kMostStored = 2e7;   // 160 MB

@@ -2,11 +2,14 @@
 // model's outlines, and where each vertex stands in it.
 #pragma once
 
+#include <array>
+
 #include "model/stages.h"
 
 namespace artisketch {
 
-using Rgb = Eigen::Vector3f;  // sRGB, 0 … 1
+using Rgb = Eigen::Vector3f;                 // sRGB, 0 … 1
+using Pixel = std::array<unsigned char, 4>;  // sRGB and alpha, as pictures have them
 
 // A drawing with the model laid over it in the drawing's own pose.
 struct Sketch {
@@ -14,14 +17,14 @@ struct Sketch {
   std::vector<float> depth;  // of the model before the camera, units; +infinity beside it
   // Colours to paint the surface with. Within the ink's width of an outline, the model's or that of
   // a part before another, a colour comes from farther inside the same stretch of surface.
-  std::vector<Rgb> colour;
-  std::vector<Rgb> plain;  // the same without thin dark lines, for what is seen at a slant
+  std::vector<Pixel> colour;
+  std::vector<Pixel> plain;  // the same without thin dark lines, for what is seen at a slant
   enum State : std::uint8_t { nothing, pulled, drawn };
   std::vector<std::uint8_t> state;
 
   // The colour of a point at `depth` that projects to `pixel`, of those pixels round it that lie
   // within `reach` units of it; nothing where none does.
-  std::optional<Rgb> at(const std::vector<Rgb>& colours, const Vec2& pixel, double depth,
+  std::optional<Rgb> at(const std::vector<Pixel>& colours, const Vec2& pixel, double depth,
                         double reach) const;
 };
 

@@ -2,6 +2,7 @@
 // part, make them one skin, bind that to the skeleton.
 #include "base/blocking.h"
 #include "model/mirror.h"
+#include "model/snap_rims.h"
 #include "model/stage_clock.h"
 #include "model/stages.h"
 
@@ -58,6 +59,12 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   Result<Weights> weights = skin(out.calibrated, out.parts, *mesh, run);
   if (!weights) return weights.error();
   stages.finish({{"unknowns", double(mesh->V.rows())}});
+
+  if (!options.visual_hull) {
+    stages.start("rims", 0.95, 0.96);
+    snap_rims(out.calibrated, parts, *weights, *mesh, run);
+    stages.finish({});
+  }
 
   out.model = {
       document.name,           document.skeleton, std::move(*mesh), std::move(*weights), {}, {},

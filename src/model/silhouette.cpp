@@ -47,14 +47,6 @@ Mask triangle_mask(std::vector<Vec2> pixels, const Triangles& F, const Window& w
 
 using Polygons = std::vector<std::vector<Vec2>>;
 
-// The closed contours of a joint, which bound its part by the even-odd rule.
-Polygons closed_contours(const Frame& frame, int joint) {
-  Polygons polygons;
-  for (const Contour& contour : frame.contours)
-    if (contour.joint == joint && contour.line.closed) polygons.push_back(contour.line.points);
-  return polygons;
-}
-
 void add_part(Polygons polygons, const Window& window, Mask& mask) {
   for (std::vector<Vec2>& polygon : polygons)
     for (Vec2& p : polygon) p = window.sample(p);

@@ -5,8 +5,9 @@
 
 namespace artisketch {
 
-// Cells to which the part's distances reach: where parts lie deep in each other all are as deep.
-constexpr float kDeepest = 4;
+// Cells to which the part's distances go down. Strangers that lie in each other part where both are
+// as deep: deep inside a fat part a thin one would have no say, without any gradient neither has.
+constexpr float kDeepest = 6;
 
 Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options, Run& run) {
   PartSurface out;
@@ -26,8 +27,8 @@ Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options
   Result<Mesh> mesh = isosurface(out.distance);
   if (!mesh) return mesh.error();
   out.mesh = std::move(*mesh);
-  const float most = kDeepest * float(out.distance.cell);
-  for (float& v : out.distance.values) v = std::clamp(v, -most, most);
+  const float deepest = -kDeepest * float(out.distance.cell);
+  for (float& v : out.distance.values) v = std::max(v, deepest);
   return out;
 }
 

@@ -17,7 +17,8 @@ constexpr double kPlainScale = 0.35;  // texels of what no view shows, per pixel
 // vertex' own plain colour.
 class Fades {
  public:
-  Fades(const Mesh& mesh, const std::vector<int>& chosen, const DrawnSurface& surface)
+  Fades(const Mesh& mesh, const Adjacency& beside, const std::vector<int>& chosen,
+        const DrawnSurface& surface)
       : views_(int(surface.views.size())) {
     const Eigen::Index n = mesh.V.rows();
     // A view may fade in only where it shows everything round the vertex.
@@ -30,7 +31,6 @@ class Fades {
         if (chosen[f] >= 0) share_(chosen[f], mesh.F(f, k)) += 1;
       }
     normalise(open);
-    const Adjacency beside = vertex_adjacency(mesh);
     for (int round = 0; round < kFadeRounds; ++round) {
       const Eigen::ArrayXXf before = share_;
       for (int i = 0; i < n; ++i)
@@ -53,8 +53,8 @@ class Fades {
 
 // One colour per vertex: what the views that paint round it show there, and diffused from there
 // over those round which nothing is painted: within a part first, then from the parts beside it.
-std::vector<Rgb> plain_colours(const Model& model, const std::vector<int>& chosen,
-                               const DrawnSurface& surface) {
+std::vector<Rgb> plain_colours(const Model& model, const Adjacency& beside,
+                               const std::vector<int>& chosen, const DrawnSurface& surface) {
   constexpr float kAcross = 0.02f;  // of a neighbour that belongs to another part
   const Mesh& mesh = model.mesh;
   const Eigen::Index n = mesh.V.rows();
@@ -85,7 +85,6 @@ std::vector<Rgb> plain_colours(const Model& model, const std::vector<int>& chose
   for (const int v : order) mean += colour[v] / float(known);
   for (int v = 0; v < n; ++v)
     if (!reached[v]) colour[v] = mean;
-  const Adjacency beside = vertex_adjacency(mesh);
   const auto same_part = [&](int u, int v) {
     return model.weights.joints(u, 0) == model.weights.joints(v, 0);
   };
@@ -111,76 +110,104 @@ std::vector<Rgb> plain_colours(const Model& model, const std::vector<int>& chose
   return colour;
 }
 
+// The colours of one triangle after another.
 class Painter {
  public:
   Painter(const Mesh& mesh, const DrawnSurface& surface, const Fades& fades,
           const std::vector<Rgb>& plain)
       : mesh_(mesh), surface_(surface), fades_(fades), plain_(plain) {}
 
-  // The colour at a place of a triangle.
-  Rgb at(int f, const Vec3& weights) const {
+  void begin(int face) {
+    face_ = face;
+    views_.clear();
+    for (int v = 0; v < fades_.views(); ++v) {
+      View view{v, {}};
+      for (int k = 0; k < 3; ++k) view.shares[k] = fades_.share(v, mesh_.F(face, k));
+      if (view.shares.maxCoeff() > kLeastShare) views_.push_back(view);
+    }
+  }
+  Rgb at(const Vec3& weights) const {
     Rgb sum = Rgb::Zero();
     float all = 0;
-    for (int v = 0; v < fades_.views(); ++v) {
-      float share = 0;
-      for (int k = 0; k < 3; ++k) share += float(weights[k]) * fades_.share(v, mesh_.F(f, k));
-      if (share <= 1e-4f) continue;
-      if (const auto c = surface_.views[v].colour(surface_.sketches, mesh_.F, f, weights)) {
+    for (const View& view : views_) {
+      const float share = view.shares.dot(weights.cast<float>());
+      if (share <= kLeastShare) continue;
+      const SurfaceView& shown = surface_.views[view.index];
+      if (const auto c = shown.colour(surface_.sketches, mesh_.F, face_, weights)) {
         sum += share * *c;
         all += share;
       }
     }
     if (all >= 1 - 1e-3f) return sum / all;
     Rgb plain = Rgb::Zero();
-    for (int k = 0; k < 3; ++k) plain += float(weights[k]) * plain_[mesh_.F(f, k)];
+    for (int k = 0; k < 3; ++k) plain += float(weights[k]) * plain_[mesh_.F(face_, k)];
     return sum + (1 - all) * plain;
   }
 
  private:
+  static constexpr float kLeastShare = 1e-4f;
+  struct View {
+    int index;
+    Eigen::Vector3f shares;  // at the triangle's corners
+  };
   const Mesh& mesh_;
   const DrawnSurface& surface_;
   const Fades& fades_;
   const std::vector<Rgb>& plain_;
+  int face_ = 0;
+  std::vector<View> views_;
 };
 
-Picture paint(const Atlas& atlas, const Painter& painter) {
-  std::vector<Rgb> texels(std::size_t(atlas.width) * atlas.height, Rgb::Zero());
-  std::vector<std::uint8_t> painted(texels.size(), 0);
-  for (int f = 0; f < atlas.corners.rows(); ++f) {
-    const Vec2 &a = atlas.texels[atlas.corners(f, 0)], &b = atlas.texels[atlas.corners(f, 1)],
-               &c = atlas.texels[atlas.corners(f, 2)];
-    Box2 box(a);
-    box.extend(b).extend(c);
-    // Texels half a texel off the triangle are mixed into it: paint them too, unless another has.
-    constexpr double kRound = 0.75;
-    const Vec2 d = b - a, e = c - a;
-    const double area = d.x() * e.y() - d.y() * e.x();
-    for (int y = int(box.min().y() - kRound); y <= int(box.max().y() + kRound); ++y)
-      for (int x = int(box.min().x() - kRound); x <= int(box.max().x() + kRound); ++x) {
-        const std::size_t at = std::size_t(y) * atlas.width + x;
-        const Vec2 p = Vec2(x + 0.5, y + 0.5) - a;
-        const double u = (p.x() * e.y() - p.y() * e.x()) / area,
-                     v = (d.x() * p.y() - d.y() * p.x()) / area;
-        const bool within = std::min({u, v, 1 - u - v}) >= 0;
-        if (painted[at] > (within ? 1 : 0)) continue;
-        const Vec3 weights = within ? Vec3(1 - u - v, u, v)
-                                    : corner_weights({x + 0.5, y + 0.5}, a, b, c, Vec3::Ones());
-        if (!within) {
-          const Vec2 nearest = weights[0] * a + weights[1] * b + weights[2] * c;
-          if (!((nearest - Vec2(x + 0.5, y + 0.5)).norm() <= kRound)) continue;
+// The atlas' vertices along the borders of charts.
+std::vector<std::uint8_t> border_vertices(const Atlas& atlas, const FaceNeighbours& neighbours) {
+  std::vector<std::uint8_t> border(atlas.vertex.size(), 0);
+  for (int f = 0; f < atlas.corners.rows(); ++f)
+    for (int k = 0; k < 3; ++k)
+      if (const int g = neighbours[f][k]; g < 0 || atlas.chart[g] != atlas.chart[f])
+        border[atlas.corners(f, k)] = border[atlas.corners(f, (k + 1) % 3)] = 1;
+  return border;
+}
+
+Texture paint(const Atlas& atlas, const FaceNeighbours& neighbours, Painter painter) {
+  Texture picture{atlas.width, atlas.height, {}};
+  picture.rgba.resize(4 * std::size_t(atlas.width) * atlas.height, 0);  // not yet painted
+  const std::vector<std::uint8_t> border = border_vertices(atlas, neighbours);
+  // Texels up to so far off a chart are mixed into it: they are painted too, unless another has.
+  constexpr double kRound = 0.75;
+  for (const bool round : {false, true})
+    for (int f = 0; f < atlas.corners.rows(); ++f) {
+      const auto corner = atlas.corners.row(f);
+      if (round && !(border[corner[0]] || border[corner[1]] || border[corner[2]])) continue;
+      const Vec2 &a = atlas.texels[corner[0]], &b = atlas.texels[corner[1]],
+                 &c = atlas.texels[corner[2]];
+      Box2 box(a);
+      box.extend(b).extend(c);
+      const double margin = round ? kRound : 0;
+      const Vec2 d = b - a, e = c - a;
+      const double per_area = 1 / (d.x() * e.y() - d.y() * e.x());
+      painter.begin(f);
+      for (int y = int(box.min().y() - margin); y <= int(box.max().y() + margin); ++y)
+        for (int x = int(box.min().x() - margin); x <= int(box.max().x() + margin); ++x) {
+          unsigned char* texel = &picture.rgba[4 * (std::size_t(y) * atlas.width + x)];
+          if (texel[3] > 0) continue;
+          const Vec2 centre(x + 0.5, y + 0.5), p = centre - a;
+          const double u = (p.x() * e.y() - p.y() * e.x()) * per_area,
+                       v = (d.x() * p.y() - d.y() * p.x()) * per_area;
+          Vec3 weights(1 - u - v, u, v);
+          if (round) {
+            weights = corner_weights(centre, a, b, c, Vec3::Ones());
+            const Vec2 nearest = weights[0] * a + weights[1] * b + weights[2] * c;
+            if (!((nearest - centre).norm() <= kRound)) continue;
+          } else if (!(weights.minCoeff() >= 0)) {
+            continue;
+          }
+          const Rgb colour = painter.at(weights);
+          for (int k = 0; k < 3; ++k)
+            texel[k] = (unsigned char)(255 * std::clamp(colour[k], 0.0f, 1.0f) + 0.5f);
+          texel[3] = 255;
         }
-        texels[at] = painter.at(f, weights);
-        painted[at] = within ? 2 : 1;
-      }
-  }
-  fill_gutters(texels, painted, atlas.width);
-  Picture picture{atlas.width, atlas.height, {}};
-  picture.rgba.reserve(4 * texels.size());
-  for (const Rgb& texel : texels) {
-    for (int c = 0; c < 3; ++c)
-      picture.rgba.push_back((unsigned char)(255 * std::clamp(texel[c], 0.0f, 1.0f) + 0.5f));
-    picture.rgba.push_back(255);
-  }
+    }
+  fill_gutters(picture);
   return picture;
 }
 
@@ -195,8 +222,9 @@ Result<Model> textured(const Document& calibrated, std::span<const Picture> draw
   if (std::all_of(chosen.begin(), chosen.end(), [](int view) { return view < 0; })) return model;
   if (run.cancelled()) return cancelled();
   run.report(0.7);
-  const Fades fades(model.mesh, chosen, *surface);
-  const std::vector<Rgb> plain = plain_colours(model, chosen, *surface);
+  const Adjacency beside = vertex_adjacency(model.mesh);
+  const Fades fades(model.mesh, beside, chosen, *surface);
+  const std::vector<Rgb> plain = plain_colours(model, beside, chosen, *surface);
   const Atlas atlas =
       make_atlas(model.mesh, neighbours, chosen, *surface, kPlainScale / pixel_size(calibrated));
   if (run.cancelled()) return cancelled();
@@ -215,7 +243,7 @@ Result<Model> textured(const Document& calibrated, std::span<const Picture> draw
     out.weights.weights.row(i) = model.weights.weights.row(atlas.vertex[i]);
     out.texcoords.push_back(atlas.texels[i].cwiseQuotient(Vec2(atlas.width, atlas.height)));
   }
-  out.texture = paint(atlas, Painter(model.mesh, *surface, fades, plain));
+  out.texture = paint(atlas, neighbours, Painter(model.mesh, *surface, fades, plain));
   run.report(1);
   return out;
 }

@@ -133,6 +133,27 @@ TEST(Texture, LinesOfInkStayWhereTheyAreSeenSquarely) {
   EXPECT_GT(inked, 10);
 }
 
+// The model may reach a few pixels beyond the figure, onto paper that isn't transparent.
+TEST(Texture, PaperBesideTheOutlinesIsNoColour) {
+  const Model plain = ball();
+  Picture drawing = disc(kRed, 0.9 * kScale);
+  for (std::size_t i = 0; i < drawing.rgba.size(); i += 4)
+    if (drawing.rgba[i + 3] == 0) std::fill_n(&drawing.rgba[i], 4, (unsigned char)(255));
+  for (const double radius : {0.9, 1.0}) {  // of the outline
+    Polyline outline;
+    for (int i = 0; i < 64; ++i) {
+      const double angle = i * 2 * kPi / 64;
+      outline.points.push_back(Vec2::Constant(kSize / 2.0) +
+                               radius * kScale * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    Document document = document_of(plain.skeleton, {0});
+    document.frames[0].contours = {{0, outline, ""}};
+    const Model model = painted(document, {drawing}, plain);
+    for (int v = 0; v < model.mesh.V.rows(); ++v)
+      ASSERT_TRUE(is(texel(model, v), kRed, 6)) << radius << ": " << model.mesh.V.row(v);
+  }
+}
+
 TEST(Texture, EachSideComesFromTheDrawingThatShowsIt) {
   const Model plain = ball();
   // Turned by −90° the model's +x side faces the camera.
