@@ -2,11 +2,9 @@
 
 #include <cmath>
 #include <limits>
-
-#include <Eigen/IterativeLinearSolvers>
+#include <numeric>
 
 #include "base/raster.h"
-#include "base/sparse.h"
 #include "model/fair.h"
 
 namespace artisketch {
@@ -122,37 +120,64 @@ double overlap(const std::vector<Target>& targets) {
   return sum;
 }
 
-// LᵀL of the umbrella operator, which takes a vertex' difference from the mean of those round it.
-SparseMatrix bending(const Adjacency& adjacency, Eigen::Index n) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int v = 0; v < n; ++v) {
-    const auto ring = adjacency.of(v);
-    entries.emplace_back(v, v, 1);
-    for (const int u : ring) entries.emplace_back(v, u, -1.0 / double(ring.size()));
+// The normal equations of what the pulls ask for and of as little bending as may be, which is
+// measured by the umbrella operator L: a vertex' difference from the mean of those round it.
+class Equations {
+ public:
+  Equations(const Adjacency& adjacency, const std::vector<Pull>& pulls, double pixels_per_unit)
+      : adjacency_(adjacency),
+        diagonal_(Eigen::VectorXd::Constant(Eigen::Index(adjacency.offsets.size()) - 1, kStay)),
+        right_(Eigen::VectorXd::Zero(diagonal_.size())) {
+    for (const Pull& pull : pulls) {
+      const double gain = pull.gain / pixels_per_unit;
+      const double weight = 1 / (1 + (pull.miss / kDoubt) * (pull.miss / kDoubt));
+      diagonal_[pull.vertex] += weight * gain * gain;
+      right_[pull.vertex] += weight * gain * pull.miss;
+    }
   }
-  SparseMatrix L(n, n);
-  L.setFromTriplets(entries.begin(), entries.end());
-  return SparseMatrix(L.transpose()) * L;
-}
+  // How far each vertex steps along its normal, pixels: by conjugate gradients (Hestenes and
+  // Stiefel 1952), without the matrix, whose products of neighbours are many.
+  Eigen::VectorXd solve() const {
+    constexpr double kTolerance = 1e-3;
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(right_.size()), residual = right_, way = residual;
+    double left = dot(residual, residual);
+    const double enough = kTolerance * kTolerance * left;
+    for (Eigen::Index i = 0; i < right_.size() && left > enough; ++i) {
+      const Eigen::VectorXd product = times(way);
+      const double step = left / dot(way, product);
+      x += step * way;
+      residual -= step * product;
+      const double now = dot(residual, residual);
+      way = residual + (now / left) * way;
+      left = now;
+    }
+    return x;
+  }
 
-// How far each vertex steps along its normal, units.
-Eigen::VectorXd steps(const SparseMatrix& bending, const std::vector<Pull>& pulls,
-                      double pixels_per_unit) {
-  const Eigen::Index n = bending.rows();
-  Eigen::VectorXd diagonal = Eigen::VectorXd::Constant(n, kStay), right = Eigen::VectorXd::Zero(n);
-  for (const Pull& pull : pulls) {
-    const double gain = pull.gain / pixels_per_unit;
-    const double weight = 1 / (1 + (pull.miss / kDoubt) * (pull.miss / kDoubt));
-    diagonal[pull.vertex] += weight * gain * gain;
-    right[pull.vertex] += weight * gain * pull.miss;
+ private:
+  // One by one, so that the sum is the same on every machine.
+  static double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
   }
-  SparseMatrix A = kSmooth * bending;
-  A.diagonal() += diagonal;
-  Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper> solver;
-  solver.setTolerance(1e-3);
-  solver.compute(A);
-  return solver.solve(right) / pixels_per_unit;
-}
+  Eigen::VectorXd times(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd y = diagonal_.cwiseProduct(x), bend = x;
+    for (int v = 0; v < int(x.size()); ++v) {
+      const auto ring = adjacency_.of(v);
+      double sum = 0;
+      for (const int u : ring) sum += x[u];
+      if (!ring.empty()) bend[v] -= sum / double(ring.size());
+    }
+    for (int v = 0; v < int(x.size()); ++v) {
+      const auto ring = adjacency_.of(v);
+      y[v] += kSmooth * bend[v];
+      for (const int u : ring) y[u] -= kSmooth * bend[v] / double(ring.size());
+    }
+    return y;
+  }
+
+  const Adjacency& adjacency_;
+  Eigen::VectorXd diagonal_, right_;
+};
 
 }  // namespace
 
@@ -167,7 +192,7 @@ void snap_rims(const Document& calibrated, std::span<const Part> parts, const We
     for (Target& target : targets) target.pose(over, weights, skeleton);
     return overlap(targets);
   };
-  const SparseMatrix smooth = bending(vertex_adjacency(mesh), mesh.V.rows());
+  const Adjacency adjacency = vertex_adjacency(mesh);
   double best = lay(mesh);
   Mesh moved = mesh;
   for (int pass = 0; pass < kPasses && !run.cancelled(); ++pass) {
@@ -175,7 +200,8 @@ void snap_rims(const Document& calibrated, std::span<const Part> parts, const We
     std::vector<Pull> pulls;
     for (const Target& target : targets) target.add_pulls(moved, normals, weights, skeleton, pulls);
     if (pulls.empty()) break;
-    const Eigen::VectorXd step = kDamping * steps(smooth, pulls, 1 / pixel_size(calibrated));
+    const double pixel = pixel_size(calibrated);
+    const Eigen::VectorXd step = kDamping * pixel * Equations(adjacency, pulls, 1 / pixel).solve();
     moved.V += step.asDiagonal() * normals;
     if (untangle(moved) > 0) break;
     const double now = lay(moved);
