@@ -352,6 +352,7 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio) {
   draw().ChannelsSetCurrent(0);
   Rect clear = place;
   if (layout.tablet) clear.cut_left(rail_place(work, layout).right() - place.x);
+  canvas_menu(work, clear, {work.view.origin, work.view.zoom});
   use_tool(work, place, clear, {work.view.origin, work.view.zoom});
   draw().ChannelsMerge();
   draw().PopClipRect();

@@ -90,12 +90,8 @@ void advance(Work& work) {
 void Editor::touch(const Fingers& fingers) {
   Work& work = parts_->work;
   work.fingers = fingers;
-  if (fingers.began) {
-    // The first finger may have begun something before the second came.
-    work.stroke.clear();
-    if (work.gesture.moved) work.undo();
-    work.gesture = {};
-  }
+  // The first finger may have begun something before the second came.
+  if (fingers.began) work.drop_gesture();
   if (fingers.tapped == 2) work.ask(Command::undo);
   if (fingers.tapped == 3) work.ask(Command::redo);
 }
@@ -159,6 +155,11 @@ double Editor::next_frame_in() const {
     if (!toast.error)
       interval = std::min(
           interval, toast.since < 0 ? 0 : toast.since + kToastSeconds - ImGui::GetTime() + kSmooth);
+  // A press may grow long.
+  constexpr float kLongest = 0.6f;  // seconds
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Left) &&
+      ImGui::GetIO().MouseDownDuration[ImGuiMouseButton_Left] < kLongest)
+    interval = kSmooth;
   const bool live = work.jobs.busy() && !work.busy();
   if (work.view.playing || work.changing_pose() || live) interval = kSmooth;
   const std::chrono::duration<double> since = std::chrono::steady_clock::now() - parts_->drawn_at;

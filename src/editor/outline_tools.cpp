@@ -11,26 +11,6 @@
 namespace artisketch {
 namespace {
 
-int contour_at(const Work& work, const OnScreen& on, ImVec2 p) {
-  int best = -1;
-  float nearest = kReach;
-  const std::vector<Contour>& contours = work.frame().contours;
-  for (int i = 0; i < int(contours.size()); ++i) {
-    const float distance = nearest_on(contours[std::size_t(i)].line, on, p).distance;
-    if (distance <= nearest) nearest = distance, best = i;
-  }
-  if (best >= 0) return best;
-  // Within several, the smallest.
-  const Vec2 at = on.back(p);
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < int(contours.size()); ++i) {
-    const Polyline& line = contours[std::size_t(i)].line;
-    const double area = line.closed ? std::abs(signed_area(line)) : least;
-    if (area < least && contains(line, at)) least = area, best = i;
-  }
-  return best;
-}
-
 void paint_points(const Polyline& line, const OnScreen& on, ImU32 colour, ImVec2 pointer) {
   for (const Vec2& point : line.points) {
     const ImVec2 p = on.of(point);

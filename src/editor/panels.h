@@ -52,6 +52,11 @@ void main_menu(Work& work, const Rect& button);
 //   clear  where no other tools float over it
 void use_tool(Work& work, const Rect& place, const Rect& clear, const OnScreen& on);
 
+// What lies under a right click or a resting finger is chosen, and what can be done to it offered.
+void canvas_menu(Work& work, const Rect& place, const OnScreen& on);
+// A line of a menu that is open; whether it was chosen.
+bool menu_item(const char* label, const std::string& key, bool enabled);
+
 // Over the drawing in Pose: where the model's edge and the outlines part ways.
 void paint_fit_marks(Work& work, const OnScreen& on);
 void paint_fit_tag(Work& work, const Rect& place, const OnScreen& on);  // the worst of them

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "document/edit.h"
 
@@ -62,6 +63,26 @@ OnLine nearest_on(const Polyline& line, const OnScreen& on, ImVec2 p) {
         square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0f, 1.0f) : 0;
     const float distance = apart(p, {a.x + t * dx, a.y + t * dy});
     if (distance < best.distance) best = {distance, s};
+  }
+  return best;
+}
+
+int contour_at(const Work& work, const OnScreen& on, ImVec2 p) {
+  int best = -1;
+  float nearest = kReach;
+  const std::vector<Contour>& contours = work.frame().contours;
+  for (int i = 0; i < int(contours.size()); ++i) {
+    const float distance = nearest_on(contours[std::size_t(i)].line, on, p).distance;
+    if (distance <= nearest) nearest = distance, best = i;
+  }
+  if (best >= 0) return best;
+  // Within several, the smallest.
+  const Vec2 at = on.back(p);
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < int(contours.size()); ++i) {
+    const Polyline& line = contours[std::size_t(i)].line;
+    const double area = line.closed ? std::abs(signed_area(line)) : least;
+    if (area < least && contains(line, at)) least = area, best = i;
   }
   return best;
 }

@@ -37,6 +37,10 @@ struct OnLine {
 };
 OnLine nearest_on(const Polyline& line, const OnScreen& on, ImVec2 p);
 
+// The outline of the drawing in view whose line is near a place on screen, else the smallest around
+// it; −1: none.
+int contour_at(const Work& work, const OnScreen& on, ImVec2 p);
+
 // The joint within `reach` points of a place on screen; −1: none.
 int joint_at(const std::vector<Transform>& posed, const FrameCamera& camera, const OnScreen& on,
              ImVec2 p, float reach = 14);

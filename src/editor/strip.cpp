@@ -35,25 +35,19 @@ void drawing_menu(Work& work, int f, const Press& press) {
     ImGui::OpenPopup(ImGui::GetItemID());
   if (!ImGui::BeginPopupContextItem()) return;
   const Document& document = work.document();
-  const auto item = [](const char* label, bool enabled) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    record(label, {at.x, at.y, ImGui::CalcTextSize(label).x + 20, ImGui::GetTextLineHeight()},
-           enabled);
-    return ImGui::MenuItem(("  " + std::string(label) + "  ").c_str(), nullptr, false, enabled);
-  };
   const auto move_to = [&](int to) {
     work.commit("Move drawing", with_frame_moved(document, f, to));
     work.view.frame = to;
   };
   ImGui::Dummy({0, 2});
-  if (item("Duplicate drawing", true)) {
+  if (menu_item("Duplicate drawing", "", true)) {
     work.commit("Duplicate drawing", with_frame_copied(document, f));
     work.view.frame = f + 1;
-  } else if (item("Move left", f > 0)) {
+  } else if (menu_item("Move left", "", f > 0)) {
     move_to(f - 1);
-  } else if (item("Move right", f + 1 < int(document.frames.size()))) {
+  } else if (menu_item("Move right", "", f + 1 < int(document.frames.size()))) {
     move_to(f + 1);
-  } else if (item("Remove drawing", true)) {
+  } else if (menu_item("Remove drawing", "", true)) {
     work.commit("Remove drawing", without_frame(document, f));
     work.view.contour = -1;
   }

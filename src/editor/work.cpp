@@ -91,6 +91,12 @@ void Work::commit(std::string undo_name, Document next) {
   settle();
 }
 
+void Work::drop_gesture() {
+  stroke.clear();
+  if (gesture.moved) undo();
+  gesture = {};
+}
+
 void Work::change(const std::string& undo_name, Document next) {
   if (std::exchange(gesture.moved, true)) {
     history.amend(std::move(next));

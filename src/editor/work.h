@@ -296,6 +296,8 @@ struct Work {
   void say(Toast toast) { toasts.push_back(std::move(toast)); }
   // The next state of the document, by its undo name.
   void commit(std::string undo_name, Document next);
+  // What the pointer has begun was meant otherwise: the document is as before.
+  void drop_gesture();
   // The same for a gesture: its first change is a step of undo, which the others amend.
   void change(const std::string& undo_name, Document next);
   // What is still held begins anew.

@@ -204,10 +204,13 @@ test('two fingers pan and zoom, a tap of two undoes', async (t) => {
       type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
     await editor.page.waitForTimeout(40);
   };
-  const where = () => editor.page.evaluate(() => [[300, 300], [400, 300]].map(([x, y]) => {
-    const at = artisketch.project(0, x, y);
-    return [at.x, at.y];
-  }));
+  const where = async () => {
+    await editor.page.waitForFunction(() => artisketch.project(0, 300, 300));
+    return editor.page.evaluate(() => [[300, 300], [400, 300]].map(([x, y]) => {
+      const at = artisketch.project(0, x, y);
+      return [at.x, at.y];
+    }));
+  };
   const [[x, y]] = await where();
   const before = await where();
   await fingers('touchStart', [[x - 40, y]]);
@@ -233,6 +236,14 @@ test('two fingers pan and zoom, a tap of two undoes', async (t) => {
   await fingers('touchStart', [[x - 40, y], [x + 40, y]]);
   await fingers('touchEnd', []);
   await editor.until((state) => !state.canUndo);
+
+  // A finger that rests asks what can be done; what it began to draw is gone.
+  const [cheek] = await where();
+  await fingers('touchStart', [cheek]);
+  await editor.page.waitForTimeout(900);
+  await fingers('touchEnd', []);
+  await editor.click('Delete');
+  await editor.until((state) => state.undo === 'Delete Head');
 });
 
 test('a killed tab loses three seconds at most', async (t) => {

@@ -214,6 +214,30 @@ def joins_copies_and_picks_joints():
     window.close()
 
 
+def offers_what_can_be_done_to_an_outline_or_joint():
+    window = Window("1440x900", examples / "hero" / "hero.artisketch")
+    window.wait(lambda: window.state()["frames"] == 3, why="the drawings")
+    window.key("1")
+    window.wait(lambda: "Edit tool" in labels(window), why="Outline")
+    nose = at(window, 320, 260)  # within the head alone
+    window.x("mousemove", *map(round, nose))
+    window.x("click", 3)
+    window.wait(lambda: "Delete" in labels(window), why="the menu")
+    assert "Copy to" in labels(window) and "Mirror" not in labels(window)  # the head has no other side
+    window.picture("outline-menu")
+    window.click("Delete")
+    undo_is(window, "Delete Head")
+    window.wait(lambda: "Delete" not in labels(window), why="the menu's end")
+    window.key("3")
+    window.wait(lambda: "Joint Hand L" in labels(window), why="the joints")
+    window.point_at("Joint Hand L")
+    window.x("click", 3)
+    window.wait(lambda: "Lock" in labels(window), why="the joint's menu")
+    window.click("Lock")
+    undo_is(window, "Lock Hand L")
+    window.close()
+
+
 def mends_a_crossing():
     window = drawing()
     window.key("p")
@@ -293,6 +317,7 @@ def takes_drawings_in():
     window.close()
 
 
-run(traces_and_cuts, gives_outlines_to_parts, joins_copies_and_picks_joints, mends_a_crossing,
+run(traces_and_cuts, gives_outlines_to_parts, joins_copies_and_picks_joints,
+    offers_what_can_be_done_to_an_outline_or_joint, mends_a_crossing,
     builds_a_skeleton, takes_drawings_in, outlines_and_names_on_a_tablet, settles_what_a_drawing_hides,
     says_that_a_part_inside_others_shows_no_edge)

@@ -56,6 +56,15 @@ TEST(Animate, AMovedKeyStaysBetweenItsNeighbours) {
   EXPECT_EQ(with_key_moved(clip, 0, 0, -1).animations[0].keys[0].time, 0);
 }
 
+TEST(Animate, ARemovedClipLeavesTheOthers) {
+  Document document = figure();
+  document = with_clip(with_clip(document, turned(document, 0)), turned(document, 1));
+  const std::string second = document.animations[1].name;
+  const Document left = without_clip(document, 0);
+  ASSERT_EQ(left.animations.size(), 1u);
+  EXPECT_EQ(left.animations[0].name, second);
+}
+
 TEST(Animate, TheLastKeyGoesWithItsClip) {
   const Document document = figure();
   Document clips = with_clip(with_clip(document, turned(document, 0)), turned(document, 1));

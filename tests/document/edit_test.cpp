@@ -264,6 +264,20 @@ TEST(Contours, TheMirrorImageLiesOnTheOtherSide) {
   EXPECT_LT((middle - camera.project({-0.45, 1.1, 0})).norm(), 1e-6);
 }
 
+TEST(Contours, ACopyLiesWhereTheOtherDrawingHasItsJoint) {
+  Document document = with_frame_copied(figure(), 0);
+  // In the second drawing all stands half a unit to the right.
+  document.frames[1].pose.root_position.x() += 0.5;
+  document = with_contour(document, 0, {3, circle({320, 100}, 20), ""});
+  const Document copied = with_contour_copied(document, 0, 0, 1);
+  ASSERT_EQ(copied.frames[1].contours.size(), 1u);
+  EXPECT_EQ(copied.frames[1].contours[0].joint, 3);
+  const std::vector<Polyline> from = contours_of(copied.frames[0], 3),
+                              to = contours_of(copied.frames[1], 3);
+  EXPECT_LT((centroid(to) - centroid(from) - Vec2(50, 0)).norm(), 1e-6);
+  EXPECT_NEAR(signed_area(to[0]), signed_area(from[0]), 1e-6);
+}
+
 TEST(Contours, BehindAndInFrontStayWithinTheDrawing) {
   Document document = figure();
   document = with_contour(document, 0, {1, circle({50, 50}, 9), ""});

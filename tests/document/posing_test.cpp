@@ -137,6 +137,16 @@ TEST(Posing, TheBallTurnsAsItsSurfaceFollowsThePointer) {
   EXPECT_LT(roll.vec().head<2>().norm(), 0.1);
 }
 
+TEST(Posing, ATurnedBodyKeepsItsRootAndItsShape) {
+  const Seen seen;
+  const Quat quarter(Eigen::AngleAxisd(kPi / 2, Vec3::UnitY()));
+  const Pose turned = with_body_turned(seen.rest, quarter);
+  EXPECT_LT((seen.place(turned, kChest) - seen.place(seen.rest, kChest)).norm(), 1e-12);
+  const Vec3 before = seen.place(seen.rest, kTip) - seen.place(seen.rest, kChest);
+  const Vec3 after = seen.place(turned, kTip) - seen.place(turned, kChest);
+  EXPECT_LT((after - quarter * before).norm(), 1e-9);
+}
+
 TEST(Posing, ACopiedPoseKeepsTheDrawingsPlace) {
   Document document = figure();
   document.frames[0].pose.rotations[kForearm] = Quat(Eigen::AngleAxisd(0.5, Vec3::UnitY()));
