@@ -53,6 +53,7 @@ class Chooser {
 
   std::vector<int> choose() {
     const int n = int(count_.size());
+    if (views_ == 0) return std::vector<int>(n, -1);
     for (int round = 0; round < kRounds; ++round) {
       for (int f = 0; f < n; ++f) pass(f, 1);
       for (int f = n - 1; f >= 0; --f) pass(f, -1);
