@@ -116,8 +116,8 @@ struct Rim {
 struct PartSurface {
   int joint = 0;
   Mesh mesh;              // closed, oriented 2-manifold in rest space
-  Grid3<float> distance;  // signed distance to it on the part's grid: to first order, a few cells
-                          // to both sides at most
+  Grid3<float> distance;  // signed distance to it on the part's grid: to first order, within a cell
+                          // or so; cut off a few cells below the surface
   std::vector<Rim> rims;
   std::vector<std::string> warnings;
 };
