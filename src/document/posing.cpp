@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rotation.h"
+
 namespace artisketch {
 namespace {
 
@@ -26,7 +28,7 @@ void aim(const Skeleton& skeleton, Pose& pose, int joint, const Vec3& target) {
   const Vec3 start = place_of(skeleton, pose, pivot);
   const Vec3 from = place_of(skeleton, pose, joint) - start, to = target - start;
   if (from.norm() < kNoLength || to.norm() < kNoLength) return;
-  turn_in_world(skeleton, pose, pivot, Quat::FromTwoVectors(from, to));
+  turn_in_world(skeleton, pose, pivot, least_turn(from, to));
 }
 
 // The point of the ray that is within `reach` of the centre and nearest to the depth z: the
@@ -186,7 +188,7 @@ Pose with_bone_turned(const Skeleton& skeleton, const Pose& pose, int joint,
 
 Pose with_bone_flipped(const Skeleton& skeleton, const Pose& pose, int joint) {
   return with_bone_turned(skeleton, pose, joint, [](const Vec3& bone) {
-    return Quat::FromTwoVectors(bone, Vec3(bone.x(), bone.y(), -bone.z()));
+    return least_turn(bone, Vec3(bone.x(), bone.y(), -bone.z()));
   });
 }
 
@@ -208,7 +210,7 @@ Quat ball_turn(const Vec2& from, const Vec2& to, double radius) {
     const double z = square <= half ? std::sqrt(radius * radius - square) : half / p.norm();
     return Vec3(p.x(), -p.y(), z).normalized();
   };
-  return Quat::FromTwoVectors(on_ball(from), on_ball(to));
+  return least_turn(on_ball(from), on_ball(to));
 }
 
 Document with_pose_copied(Document document, int from, int to) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rotation.h"
+
 namespace artisketch {
 namespace {
 
@@ -67,7 +69,7 @@ Quat rest_difference(const Skeleton& ours, int j, const std::vector<bool>& our_m
   const std::vector<Vec3> our_rest = rest_positions(ours), their_rest = rest_positions(theirs);
   const Vec3 a = our_rest[*our_next] - our_rest[j], b = their_rest[*their_next] - their_rest[m];
   if (a.norm() < 1e-9 || b.norm() < 1e-9) return Quat::Identity();
-  return Quat::FromTwoVectors(a, b);
+  return least_turn(a, b);
 }
 
 struct Stature {
