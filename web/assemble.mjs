@@ -13,20 +13,22 @@ const here = dirname(fileURLToPath(import.meta.url));
 const [out, ...examples] = process.argv.slice(2);
 const site = join(out, 'site');
 const source = (name) => readFileSync(join(here, name), 'utf8');
+const script = (name) => source(name).replace(/^ *\/\/.*\n/gm, ''); // its comments are for those who read it here
 const built = (name) => readFileSync(join(out, name));
 
 // What the page loads, by the name that it asks for.
 const files = new Map([
   ['editor.wasm', built('editor.wasm')],
   ['core.wasm', built('core.wasm')],
-  ['worker.js', Buffer.concat([built('core.js'), Buffer.from(source('worker.js'))])],
+  ['worker.js', Buffer.concat([built('core.js'), Buffer.from(script('worker.js'))])],
 ]);
 for (const name of examples) {
   for (const kind of name === examples[0] ? ['artisketch', 'glb', 'png'] : ['artisketch', 'png']) {
     files.set(`examples/${name}.${kind}`, built(`examples/${name}.${kind}`));
   }
 }
-const scripts = [['editor.js', built('editor.js').toString()], ['page.js', source('page.js')]];
+const pageScript = ['storage.js', 'files.js', 'core_worker.js', 'page.js'].map(script).join('\n');
+const scripts = [['editor.js', built('editor.js').toString()], ['page.js', pageScript]];
 const style = source('page.css');
 
 // Nothing from elsewhere, nothing to elsewhere.

@@ -1,6 +1,7 @@
 // The page's side of the editor: begins the two modules, draws when there is something to draw, and
-// does for web/browser.cpp what only JavaScript can: files, storage, the worker, controls that a
-// screen reader finds. Nothing is loaded from elsewhere, and nothing is ever sent anywhere.
+// does for web/browser.cpp what only JavaScript can: files (files.js), storage (storage.js), the worker
+// (core_worker.js), controls that a screen reader finds. Nothing is loaded from elsewhere, and nothing is
+// ever sent anywhere.
 //
 // Scripts and tests may count on `artisketch`:
 //   ready              promise that the editor is open
@@ -137,275 +138,6 @@ const artisketch = (() => {
     }, {once: true});
   }
 
-  // ------------------------------------------------------------ what is kept in the browser
-
-  // IndexedDB, or, where that is refused, this tab's memory.
-  const kept = (() => {
-    const memory = {kept: new Map(), recents: new Map()};
-    const database = new Promise((resolve) => {
-      try {
-        const request = indexedDB.open('artisketch', 1);
-        request.onupgradeneeded = () => {
-          for (const store of Object.keys(memory)) request.result.createObjectStore(store);
-        };
-        request.onsuccess = () => resolve(request.result);
-        request.onerror = request.onblocked = () => resolve(null);
-      } catch {
-        resolve(null);
-      }
-    });
-    const run = (store, mode, work) => database.then((open) => new Promise((resolve, reject) => {
-      if (!open) return resolve(undefined);
-      const transaction = open.transaction(store, mode);
-      const request = work(transaction.objectStore(store));
-      transaction.oncomplete = () => resolve(request.result);
-      transaction.onerror = transaction.onabort = () => reject(transaction.error);
-    }));
-    return {
-      async get(store, key) {
-        if (!await database) return memory[store].get(key);
-        return run(store, 'readonly', (s) => s.get(key));
-      },
-      async all(store) {
-        if (!await database) return [...memory[store].values()];
-        return run(store, 'readonly', (s) => s.getAll());
-      },
-      async keys(store) {
-        if (!await database) return [...memory[store].keys()];
-        return run(store, 'readonly', (s) => s.getAllKeys());
-      },
-      async put(store, key, value) {
-        if (!await database) return void memory[store].set(key, value);
-        return run(store, 'readwrite', (s) => s.put(value, key));
-      },
-      async drop(store, key) {
-        if (!await database) return void memory[store].delete(key);
-        return run(store, 'readwrite', (s) => s.delete(key));
-      },
-    };
-  })();
-
-  // Each tab keeps its work under a name of its own, and holds a lock of that name for as long as it
-  // lives: what a tab finds without its lock was left behind.
-  const own = (() => {
-    let name = 'autosave';
-    if (navigator.locks && crypto.randomUUID) {
-      name = `autosave-${crypto.randomUUID()}`;
-      navigator.locks.request(name, () => new Promise(() => {})).catch(() => {});
-    }
-    return {
-      name,
-      // The newest that was left behind, now this tab's.
-      async inherit() {
-        const held = new Set();
-        if (navigator.locks) (await navigator.locks.query()).held.forEach((lock) => held.add(lock.name));
-        const left = [];
-        for (const key of await kept.keys('kept')) {
-          if (!/^autosave/.test(key) || key === name || held.has(key)) continue;
-          left.push({key, ...await kept.get('kept', key)});
-        }
-        left.sort((a, b) => b.time - a.time);
-        if (!left.length) return undefined;
-        await kept.put('kept', name, {time: left[0].time, bytes: left[0].bytes});
-        await kept.drop('kept', left[0].key);
-        return left[0].bytes;
-      },
-    };
-  })();
-
-  // ------------------------------------------------------------ files
-
-  const kMostRecents = 8;
-  const handles = new Map(); // place → FileSystemFileHandle
-  const isDocument = (name) => /\.artisketch$/i.test(name);
-  const kinds = {
-    artisketch: {description: 'ArtiSketch document', accept: {'application/json': ['.artisketch']}},
-    glb: {description: 'glTF model', accept: {'model/gltf-binary': ['.glb']}},
-    obj: {description: 'Wavefront model', accept: {'model/obj': ['.obj']}},
-    stl: {description: 'STL model', accept: {'model/stl': ['.stl']}},
-    png: {description: 'Picture', accept: {'image/png': ['.png']}},
-  };
-  const images = {description: 'Drawings', accept: {'image/png': ['.png'], 'image/jpeg': ['.jpg', '.jpeg']}};
-
-  async function placeOf(handle) {
-    for (const [place, known] of handles) if (await known.isSameEntry(handle)) return place;
-    const place = `file-${crypto.randomUUID()}`;
-    handles.set(place, handle);
-    return place;
-  }
-
-  // A document opened or saved: by its handle where the browser has such, else by a copy.
-  async function remember(name, place, handle, bytes) {
-    if (!isDocument(name)) return;
-    const all = (await kept.all('recents')).sort((a, b) => b.time - a.time);
-    const same = all.find((one) => one.place === place || (!handle && !one.handle && one.name === name));
-    const key = place || same?.place || `copy-${crypto.randomUUID()}`;
-    await kept.put('recents', key, {place: key, name, time: Date.now(), ...(handle ? {handle} : {bytes})});
-    const others = all.filter((one) => one.place !== key);
-    for (const old of others.slice(kMostRecents - 1)) await kept.drop('recents', old.place);
-  }
-
-  async function recents() {
-    const all = (await kept.all('recents')).sort((a, b) => b.time - a.time);
-    for (const one of all) if (one.handle) handles.set(one.place, one.handle);
-    return all.map((one) => [one.name.replace(/\.artisketch$/i, ''), one.place]);
-  }
-
-  async function allowed(handle, mode) {
-    if (!handle.queryPermission) return true;
-    if (await handle.queryPermission({mode}) === 'granted') return true;
-    return await handle.requestPermission({mode}) === 'granted';
-  }
-
-  async function deliver(question, files) {
-    for (const {file, handle} of files) {
-      const bytes = new Uint8Array(await file.arrayBuffer());
-      const place = handle && isDocument(file.name) ? await placeOf(handle) : '';
-      await remember(file.name, place, handle, bytes);
-      tell('page_file', file.name, place, bytes);
-    }
-    if (files.length) tell('page_opened', question, '');
-  }
-
-  const aborted = (error) => error?.name === 'AbortError';
-  const words = (error) => String(error?.message ?? error);
-
-  async function chooseFiles(document_) {
-    if (window.showOpenFilePicker) {
-      try {
-        const chosen = await showOpenFilePicker({
-          multiple: !document_, types: [document_ ? kinds.artisketch : images]});
-        return Promise.all(chosen.map(async (handle) => ({file: await handle.getFile(), handle})));
-      } catch (error) {
-        if (aborted(error)) return [];
-      }
-    }
-    const input = document.getElementById('files');
-    input.accept = document_ ? '.artisketch' : '.png,.jpg,.jpeg';
-    input.multiple = !document_;
-    input.value = '';
-    return new Promise((resolve) => {
-      input.onchange = () => resolve([...input.files].map((file) => ({file})));
-      input.oncancel = () => resolve([]);
-      input.click();
-    });
-  }
-
-  function download(name, bytes) {
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([bytes], {type: 'application/octet-stream'}));
-    link.download = name;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
-  }
-
-  async function handleFor(name, place) {
-    const known = handles.get(place);
-    if (known && await allowed(known, 'readwrite')) return known;
-    if (!window.showSaveFilePicker) return null;
-    const kind = kinds[name.split('.').pop()];
-    try {
-      return await showSaveFilePicker({suggestedName: name, ...(kind ? {types: [kind]} : {})});
-    } catch (error) {
-      if (aborted(error)) throw error;
-      return null; // not here (a frame of another site's page), or too long after the click
-    }
-  }
-
-  async function saveFile(name, place, bytes) {
-    const handle = await handleFor(name, place);
-    if (!handle) {
-      download(name, bytes);
-      await remember(name, '', null, bytes);
-      return {name, place: ''};
-    }
-    const stream = await handle.createWritable();
-    await stream.write(bytes);
-    await stream.close();
-    const where = await placeOf(handle);
-    await remember(handle.name, where, handle, bytes);
-    return {name: handle.name, place: where};
-  }
-
-  function watchDrops() {
-    addEventListener('dragover', (event) => event.preventDefault());
-    addEventListener('drop', async (event) => {
-      event.preventDefault();
-      // Both must be asked for before the event is over.
-      const items = [...event.dataTransfer.items].filter((item) => item.kind === 'file').map((item) => ({
-        file: item.getAsFile(),
-        handle: item.getAsFileSystemHandle?.().catch(() => null),
-      }));
-      try {
-        const files = await Promise.all(items.map(async ({file, handle}) => ({file, handle: await handle})));
-        await deliver(0, files.filter(({file}) => file));
-      } catch (error) {
-        tell('page_opened', 0, words(error));
-      }
-    });
-    addEventListener('paste', async (event) => {
-      const files = [...event.clipboardData.files].map((file) => ({file}));
-      if (files.length) await deliver(0, files);
-      else tell('page_paste', event.clipboardData.getData('text'));
-    });
-  }
-
-  // ------------------------------------------------------------ the worker
-
-  let core; // the compiled module, a promise
-  let worker = null;
-
-  // The worker's file is asked for once; in the single file it is a part of the page.
-  let workerPlace = null;
-  async function workerUrl() {
-    if (!inside('worker.js')) return 'worker.js';
-    return URL.createObjectURL(new Blob([await bytesOf('worker.js')], {type: 'text/javascript'}));
-  }
-
-  function beginWorker() {
-    core ??= compiled('core.wasm');
-    workerPlace ??= workerUrl();
-    const begun = {ended: false, thread: null, waiting: []};
-    worker = begun;
-    const died = (ofMemory, why) => {
-      if (worker === begun) tell('page_died', ofMemory, why);
-    };
-    Promise.all([core, workerPlace]).then(([module_, url]) => {
-      if (begun.ended) return;
-      begun.thread = new Worker(url);
-      begun.thread.onerror = (event) => died(false, event.message || 'the worker could not be loaded');
-      begun.thread.onmessage = ({data}) => {
-        if (worker !== begun) return;
-        if (data.progress) tell('page_progress', data.progress);
-        if (data.outcome) tell('page_outcome', data.outcome);
-        if (data.died) died(data.died.ofMemory, data.died.why);
-      };
-      begun.thread.postMessage({compiled: module_});
-      begun.waiting.forEach((request) => begun.thread.postMessage({request}));
-    }).catch((error) => {
-      // Tried again from the start with the next job.
-      core = undefined;
-      begun.failed = words(error);
-      if (begun.waiting.length) died(false, begun.failed);
-    });
-  }
-
-  function post(request) {
-    if (!worker || worker.failed) beginWorker();
-    if (worker.thread) worker.thread.postMessage({request});
-    else worker.waiting.push(request);
-  }
-
-  function restart() {
-    if (worker) {
-      worker.ended = true;
-      worker.thread?.terminate();
-    }
-    worker = null;
-    // Not at once: a worker that cannot begin must not begin for ever.
-    setTimeout(() => worker ?? beginWorker(), 100);
-  }
-
   // ------------------------------------------------------------ controls for all
 
   // A button, unseen, over each of the canvas's controls: a screen reader and the keyboard (F6) reach
@@ -462,6 +194,20 @@ const artisketch = (() => {
     });
   }
 
+  // ------------------------------------------------------------ the page's other scripts
+
+  const {kept, own} = browserStorage();
+  const files = browserFiles(kept, tell);
+  const worker = coreWorker({
+    tell,
+    module: () => compiled('core.wasm'),
+    example: async () => (await example(examples[0][0]))[0],
+    async script() {
+      if (!inside('worker.js')) return 'worker.js';
+      return URL.createObjectURL(new Blob([await bytesOf('worker.js')], {type: 'text/javascript'}));
+    },
+  });
+
   // ------------------------------------------------------------ what browser.cpp asks for
 
   let unsaved = false;
@@ -480,29 +226,13 @@ const artisketch = (() => {
 
   const host = {
     wake,
-    post,
-    restart,
-    async open(question, document_) {
-      try {
-        await deliver(question, await chooseFiles(document_));
-      } catch (error) {
-        tell('page_opened', question, words(error));
-      }
-    },
-    async openRecent(question, place) {
-      try {
-        const {name, handle, bytes} = await kept.get('recents', place) ?? {};
-        if (!name) throw new Error('This document is no longer known here');
-        if (handle && !await allowed(handle, 'read')) throw new Error(`No leave to read ${name}`);
-        const file = handle ? await handle.getFile() : new File([bytes], name);
-        await deliver(question, [{file, handle}]);
-      } catch (error) {
-        tell('page_opened', question, words(error));
-      }
-    },
+    post: worker.post,
+    restart: worker.restart,
+    open: files.openFiles,
+    openRecent: files.openRecent,
     async save(question, name, place, bytes) {
       try {
-        const saved = await saveFile(name, place, bytes);
+        const saved = await files.saveFile(name, place, bytes);
         tell('page_saved', question, saved.name, saved.place, '');
       } catch (error) {
         if (!aborted(error)) tell('page_saved', question, '', '', words(error));
@@ -549,7 +279,7 @@ const artisketch = (() => {
 
   async function start() {
     const program = compiled('editor.wasm');
-    const listed = recents().catch(() => []);
+    const listed = files.recents().catch(() => []);
     example(examples[0][0]).catch(() => {}); // is needed soon
     // The context that the editor then gets: it keeps what was drawn, so that only changes need be.
     canvas.getContext('webgl2', {alpha: false, antialias: false, depth: false, preserveDrawingBuffer: true});
@@ -571,7 +301,7 @@ const artisketch = (() => {
       throw new Error(why);
     }
     watchInput();
-    watchDrops();
+    files.watchDrops();
     watchControls();
     addEventListener('beforeunload', (event) => {
       if (unsaved) event.preventDefault();
@@ -579,7 +309,7 @@ const artisketch = (() => {
     canvas.focus();
     wake();
     // The worker's turn once the first picture is there.
-    setTimeout(() => worker ?? beginWorker(), 500);
+    setTimeout(worker.ready, 500);
   }
 
   const ready = start();

@@ -98,20 +98,29 @@ EMSCRIPTEN_KEEPALIVE void page_stir() {
   page->due = 3;
 }
 
-// Files on their way in, one by one, then the question that they answer; 0: they were dropped.
+// Files on their way in, one by one, then the question that they answer; 0: they were dropped. With
+// what was wrong with others.
 EMSCRIPTEN_KEEPALIVE void page_file(const char* name, const char* place, const char* bytes,
                                     std::size_t size) {
   page->files.push_back({name, text(bytes, size), place});
 }
 
 EMSCRIPTEN_KEEPALIVE void page_opened(int question, const char* fault) {
+  const auto answer = [question](Result<std::vector<NamedBytes>> files) {
+    if (question)
+      page->browser.opened(question, std::move(files));
+    else
+      page->editor.open(std::move(files));
+  };
   std::vector<NamedBytes> files = std::exchange(page->files, {});
-  Result<std::vector<NamedBytes>> answer = std::move(files);
-  if (*fault) answer = io_error(fault);
-  if (question)
-    page->browser.opened(question, std::move(answer));
-  else
-    page->editor.open(std::move(answer));
+  if (!*fault) {
+    answer(std::move(files));
+  } else if (files.empty()) {
+    answer(io_error(fault));
+  } else {
+    answer(std::move(files));
+    page->editor.open(io_error(fault));
+  }
   page_stir();
 }
 

@@ -1,6 +1,6 @@
 // The worker: begins the core's module, which the page compiled, and does one job per message.
-// Messages in: {compiled: WebAssembly.Module}, {request: Uint8Array}.
-// Messages out: {progress: Uint8Array}, {outcome: Uint8Array}, {died: {why, ofMemory}}.
+// Messages in: {compiled: WebAssembly.Module}, {request: Uint8Array}, {rehearse: Uint8Array}.
+// Messages out: {progress: Uint8Array}, {outcome: Uint8Array}, {died: {why, ofMemory}}; {rehearsed: true}.
 'use strict';
 
 let core = null; // a promise
@@ -22,16 +22,24 @@ function begin(compiled) {
   });
 }
 
+// Calls the core's function with the bytes as a pointer and a size.
+async function give(name, bytes) {
+  const module = await core;
+  const at = module._malloc(bytes.length);
+  if (!at) throw new Error('out of memory');
+  module.HEAPU8.set(bytes, at);
+  module[name](at, bytes.length);
+  module._free(at);
+}
+
 onmessage = async ({data}) => {
   try {
     if (data.compiled) core = begin(data.compiled);
-    if (!data.request) return;
-    const module = await core;
-    const at = module._malloc(data.request.length);
-    if (!at) throw new Error('out of memory');
-    module.HEAPU8.set(data.request, at);
-    module._serve(at, data.request.length);
-    module._free(at);
+    if (data.request) await give('_serve', data.request);
+    if (data.rehearse) {
+      await give('_rehearse', data.rehearse);
+      postMessage({rehearsed: true});
+    }
   } catch (error) {
     died(error);
   }

@@ -1,4 +1,4 @@
-// The worker's module: the core, and one function that does a job (worker.js calls it).
+// The worker's module: the core, and what worker.js calls to have a job done.
 #include <string>
 
 #include <emscripten.h>
@@ -18,4 +18,14 @@ extern "C" EMSCRIPTEN_KEEPALIVE void serve(const char* request, std::size_t size
   artisketch::serve_job(
       {request, size}, [](const std::string& bytes) { send_progress(bytes.data(), bytes.size()); },
       [](const std::string& bytes) { send_outcome(bytes.data(), bytes.size()); });
+}
+
+// Makes a model of a document and forgets it, for the sake of the code that a browser compiles well
+// once it has run.
+extern "C" EMSCRIPTEN_KEEPALIVE void rehearse(const char* document, std::size_t size) {
+  artisketch::JobRequest request;
+  request.document.assign(document, size);
+  request.options.grid = 32;  // runs all that finer grids run
+  artisketch::Run run;
+  static_cast<void>(artisketch::run_job(request, run));
 }

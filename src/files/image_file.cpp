@@ -192,15 +192,15 @@ std::string png_bytes(const Image& image) {
   const std::uint8_t* const rows = opaque ? packed.data() : image.rgba.data();
   const std::size_t stride = std::size_t(image.width) * std::size_t(channels);
 
-  // Flat colours are smaller by up to a third without filters, shaded ones with them: bands of the
-  // picture, an eighth of it, tell which.
-  constexpr int kBand = 16, kEvery = 8 * kBand;
+  // Flat colours are smaller by up to a third without filters, shaded ones with them: bands of a
+  // large picture, an eighth of it, tell which.
+  constexpr int kBand = 8, kEvery = 8 * kBand, kLarge = 512;
   std::vector<std::uint8_t> bands;
-  for (int y = 0; y + kBand <= image.height; y += kEvery)
-    bands.insert(bands.end(), rows + stride * y, rows + stride * (y + kBand));
-  const int band_rows = int(bands.size() / stride);
-  const std::uint8_t* const sample = band_rows > 0 ? bands.data() : rows;
-  const int sample_rows = band_rows > 0 ? band_rows : image.height;
+  if (image.height >= kLarge)
+    for (int y = kEvery / 2; y + kBand <= image.height; y += kEvery)
+      bands.insert(bands.end(), rows + stride * y, rows + stride * (y + kBand));
+  const std::uint8_t* const sample = bands.empty() ? rows : bands.data();
+  const int sample_rows = bands.empty() ? image.height : int(bands.size() / stride);
   const bool filtered =
       png_of_rows(sample, image.width, sample_rows, channels, kBestOfFilters).size() <
       png_of_rows(sample, image.width, sample_rows, channels, kNoFilter).size();

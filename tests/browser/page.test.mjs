@@ -186,13 +186,49 @@ test('what was saved comes back, drawings and all', async (t) => {
 });
 
 async function drop(page, name, bytes) {
-  await page.evaluate(({name, data}) => {
+  await dropAll(page, [{name, type: '', bytes}]);
+}
+
+// Files as the browser hands them over: {name, type, bytes}.
+async function dropAll(page, files) {
+  await page.evaluate((dropped) => {
     const transfer = new DataTransfer();
-    transfer.items.add(new File([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))], name));
+    for (const {name, type, data} of dropped) {
+      transfer.items.add(new File([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))], name, {type}));
+    }
     document.getElementById('canvas').dispatchEvent(
       new DragEvent('drop', {dataTransfer: transfer, bubbles: true, cancelable: true}));
-  }, {name, data: bytes.toString('base64')});
+  }, files.map(({name, type, bytes}) => ({name, type, data: bytes.toString('base64')})));
 }
+
+test('drawings of all kinds that the browser shows are taken, damaged ones told', async (t) => {
+  const editor = await open(await browser(t), site.url);
+  const {page} = editor;
+  await editor.until(hasHero);
+  await page.keyboard.press('Control+n');
+  await editor.until((state) => state.mode !== 'welcome');
+  // A disc, as a WebP of 160 × 120.
+  const webp = await page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(160, 120), brush = canvas.getContext('2d');
+    brush.fillStyle = 'teal';
+    brush.arc(80, 60, 40, 0, 7);
+    brush.fill();
+    const bytes = new Uint8Array(await (await canvas.convertToBlob({type: 'image/webp'})).arrayBuffer());
+    return btoa(String.fromCharCode(...bytes));
+  });
+  const svg = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 30 60"><circle cx="15" cy="30" r="12"/></svg>';
+  await dropAll(page, [
+    {name: 'disc.webp', type: 'image/webp', bytes: Buffer.from(webp, 'base64')},
+    {name: 'torn.webp', type: 'image/webp', bytes: Buffer.from('RIFF')},
+    {name: 'lines.svg', type: 'image/svg+xml', bytes: Buffer.from(svg)},
+  ]);
+  const {message} = await editor.until((state) => state.frames === 2 && /torn/.test(state.message));
+  assert.match(message, /torn\.webp is damaged.*PNG/);
+  const {frames} = JSON.parse((await editor.save()).bytes);
+  assert.deepEqual(frames.map(({name, size}) => [name, ...size]),
+    [['disc', 160, 120], ['lines', 512, 1024]]);
+  assert.ok(frames.every(({image}) => image.startsWith('data:image/png')));
+});
 
 test('two fingers pan and zoom, a tap of two undoes', async (t) => {
   const context = await browser(t, {touch: true});
