@@ -137,9 +137,10 @@ void Damage::compare(const List& old, const List& now, std::span<const unsigned>
     if (std::find(painted.begin(), painted.end(), texture) != painted.end())
       changed.push_back(around(now, b, 0, b.ElemCount));
     const auto same = [&](std::size_t i, std::size_t j) {
-      return std::memcmp(&old.vertices[a.VtxOffset + old.indices[a.IdxOffset + i]],
-                         &now.vertices[b.VtxOffset + now.indices[b.IdxOffset + j]],
-                         sizeof(ImDrawVert)) == 0;
+      const ImDrawVert& p = old.vertices[a.VtxOffset + old.indices[a.IdxOffset + i]];
+      const ImDrawVert& q = now.vertices[b.VtxOffset + now.indices[b.IdxOffset + j]];
+      return p.pos.x == q.pos.x && p.pos.y == q.pos.y && p.uv.x == q.uv.x && p.uv.y == q.uv.y &&
+             p.col == q.col;
     };
     const std::size_t shared = std::min(a.ElemCount, b.ElemCount);
     std::size_t front = 0, back = 0;

@@ -123,6 +123,7 @@ void Editor::frame(float width, float height, float pixel_ratio) {
     welcome(work, layout, pixel_ratio);
   } else {
     canvas(work, layout, pixel_ratio);
+    keep_live(work);  // what was dragged there is computed while the rest is drawn
     if (!layout.tablet || !work.view.exporting) tool_rail(work, layout);  // the sheet goes there
     model_view(work, layout, pixel_ratio);
     if (work.view.mode == Mode::result)

@@ -1,6 +1,7 @@
 #include "editor/model_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <tuple>
@@ -57,7 +58,7 @@ void main() {
     return;
   }
   vec3 albedo = linear(use == 0 ? texture(picture, at).rgb : tint);
-  vec3 m = normalize(gl_FrontFacing ? n : -n);
+  vec3 m = normalize(n);
   float up = 0.5 + 0.5 * m.y;
   vec3 ambient = mix(vec3(0.17, 0.14, 0.13), vec3(0.34, 0.38, 0.44), up);
   vec3 key = normalize(vec3(-0.48, 0.72, 0.55));
@@ -120,11 +121,9 @@ RenderTarget::~RenderTarget() {
 void RenderTarget::release() {
   if (!texture_) return;
   glDeleteTextures(1, &texture_);
-  glDeleteFramebuffers(1, &resolve_);
-  glDeleteFramebuffers(1, &smooth_);
-  glDeleteRenderbuffers(1, &colour_);
-  glDeleteRenderbuffers(1, &depth_);
-  texture_ = 0;
+  for (const unsigned* buffer : {&flat_, &smooth_}) glDeleteFramebuffers(1, buffer);
+  for (const unsigned* buffer : {&colour_, &depth_}) glDeleteRenderbuffers(1, buffer);
+  texture_ = flat_ = smooth_ = colour_ = depth_ = 0;
 }
 
 void RenderTarget::begin(int width, int height, bool rough) {
@@ -135,7 +134,6 @@ void RenderTarget::begin(int width, int height, bool rough) {
     width_ = width;
     height_ = height;
     rough_ = rough;
-    const int samples = rough ? 0 : kSamples;
     glGenTextures(1, &texture_);
     glBindTexture(GL_TEXTURE_2D, texture_);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
@@ -143,21 +141,24 @@ void RenderTarget::begin(int width, int height, bool rough) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glGenFramebuffers(1, &resolve_);
-    glBindFramebuffer(GL_FRAMEBUFFER, resolve_);
+    glGenFramebuffers(1, &flat_);
+    glBindFramebuffer(GL_FRAMEBUFFER, flat_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
-    glGenRenderbuffers(1, &colour_);
-    glBindRenderbuffer(GL_RENDERBUFFER, colour_);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
+    if (!rough) {
+      glGenFramebuffers(1, &smooth_);
+      glBindFramebuffer(GL_FRAMEBUFFER, smooth_);
+      glGenRenderbuffers(1, &colour_);
+      glBindRenderbuffer(GL_RENDERBUFFER, colour_);
+      glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GL_RGBA8, width, height);
+      glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
+    }
     glGenRenderbuffers(1, &depth_);
     glBindRenderbuffer(GL_RENDERBUFFER, depth_);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, width, height);
-    glGenFramebuffers(1, &smooth_);
-    glBindFramebuffer(GL_FRAMEBUFFER, smooth_);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, rough ? 0 : kSamples, GL_DEPTH_COMPONENT24,
+                                     width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
   }
-  glBindFramebuffer(GL_FRAMEBUFFER, smooth_);
+  glBindFramebuffer(GL_FRAMEBUFFER, rough_ ? flat_ : smooth_);
   glViewport(0, 0, width, height);
   glDisable(GL_SCISSOR_TEST);
   glClearColor(0, 0, 0, 0);
@@ -165,9 +166,12 @@ void RenderTarget::begin(int width, int height, bool rough) {
 }
 
 void RenderTarget::end() {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, smooth_);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolve_);
-  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  if (!rough_) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, smooth_);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, flat_);
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+  }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   painted_lately.push_back(texture_);
 }
@@ -209,16 +213,9 @@ void ModelPicture::load(const Model& model) {
   }
   first_ = first_at_place(model.mesh);
 
-  std::vector<unsigned> faces, lines;
-  for (Eigen::Index f = 0; f < model.mesh.F.rows(); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const int a = model.mesh.F(f, k), b = model.mesh.F(f, (k + 1) % 3);
-      faces.push_back(unsigned(a));
-      // Each edge once: its two triangles run through it in opposite directions.
-      if (first_[a] < first_[b]) lines.insert(lines.end(), {unsigned(a), unsigned(b)});
-    }
+  const std::vector<unsigned> faces(model.mesh.F.data(), model.mesh.F.data() + model.mesh.F.size());
   triangle_count_ = int(faces.size());
-  edge_count_ = int(lines.size());
+  edge_count_ = -1;  // not there yet
 
   std::vector<float> uvs(std::size_t(model.mesh.V.rows()) * 2, 0.0f);
   for (std::size_t i = 0; i < model.texcoords.size(); ++i) {
@@ -231,10 +228,7 @@ void ModelPicture::load(const Model& model) {
     attribute(1, normals_, 3, GL_FLOAT, false);
     attribute(2, uvs_, 2, GL_FLOAT, false);
     attribute(3, colours_, 4, GL_UNSIGNED_BYTE, true);
-    if (array == triangles_)
-      fill(GL_ELEMENT_ARRAY_BUFFER, faces_, faces, GL_STATIC_DRAW);
-    else
-      fill(GL_ELEMENT_ARRAY_BUFFER, lines_, lines, GL_STATIC_DRAW);
+    if (array == triangles_) fill(GL_ELEMENT_ARRAY_BUFFER, faces_, faces, GL_STATIC_DRAW);
   }
   fill(GL_ARRAY_BUFFER, uvs_, uvs, GL_STATIC_DRAW);
   glBindVertexArray(0);
@@ -272,6 +266,21 @@ void ModelPicture::load(const Model& model) {
   glBindVertexArray(0);
 }
 
+void ModelPicture::load_edges(const Model& model) {
+  if (edge_count_ >= 0) return;
+  std::vector<unsigned> lines;
+  for (Eigen::Index f = 0; f < model.mesh.F.rows(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const int a = model.mesh.F(f, k), b = model.mesh.F(f, (k + 1) % 3);
+      // Each edge once: its two triangles run through it in opposite directions.
+      if (first_[a] < first_[b]) lines.insert(lines.end(), {unsigned(a), unsigned(b)});
+    }
+  edge_count_ = int(lines.size());
+  glBindVertexArray(edges_);
+  fill(GL_ELEMENT_ARRAY_BUFFER, lines_, lines, GL_STATIC_DRAW);
+  glBindVertexArray(0);
+}
+
 void ModelPicture::pose(const Pose& pose, const Vec3& shift) {
   next_.pose = pose;
   next_.shift = shift;
@@ -282,48 +291,60 @@ void ModelPicture::move_vertices(const Model& model, const Scene& scene) {
   posed_ = scene;
   Points3 V = posed_vertices(model.mesh.V, model.weights, model.skeleton, scene.pose);
   V.rowwise() += scene.shift.transpose();
+  // Plain numbers: this runs each frame, for two poses where two pictures show them.
+  const std::vector<float> places = floats(V);
   // Weighted by area: cheap, and the mesh is even.
-  Points3 sums = Points3::Zero(V.rows(), 3);
-  for (Eigen::Index f = 0; f < model.mesh.F.rows(); ++f) {
-    const Index3 face = model.mesh.F.row(f).transpose();
-    const Vec3 a = V.row(face[0]), b = V.row(face[1]), c = V.row(face[2]);
-    const Vec3 normal = (b - a).cross(c - a);
-    for (int k = 0; k < 3; ++k) sums.row(first_[face[k]]) += normal.transpose();
+  std::vector<float> sums(places.size(), 0.0f), normals(places.size());
+  const int* face = model.mesh.F.data();
+  for (Eigen::Index f = 0; f < model.mesh.F.rows(); ++f, face += 3) {
+    const float *a = &places[3 * std::size_t(face[0])], *b = &places[3 * std::size_t(face[1])],
+                *c = &places[3 * std::size_t(face[2])];
+    const float u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    const float v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    const float normal[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                             u[0] * v[1] - u[1] * v[0]};
+    for (int corner = 0; corner < 3; ++corner)
+      for (int k = 0; k < 3; ++k)
+        sums[3 * std::size_t(first_[std::size_t(face[corner])]) + std::size_t(k)] += normal[k];
   }
-  Points3 normals(V.rows(), 3);
-  for (Eigen::Index i = 0; i < V.rows(); ++i)
-    normals.row(i) = sums.row(first_[std::size_t(i)]).stableNormalized();
-  fill(GL_ARRAY_BUFFER, positions_, floats(V), GL_DYNAMIC_DRAW);
-  fill(GL_ARRAY_BUFFER, normals_, floats(normals), GL_DYNAMIC_DRAW);
+  for (std::size_t i = 0; i < first_.size(); ++i) {
+    const float* sum = &sums[3 * std::size_t(first_[i])];
+    const float length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    for (std::size_t k = 0; k < 3; ++k) normals[3 * i + k] = length > 0 ? sum[k] / length : 0;
+  }
+  fill(GL_ARRAY_BUFFER, positions_, places, GL_DYNAMIC_DRAW);
+  fill(GL_ARRAY_BUFFER, normals_, normals, GL_DYNAMIC_DRAW);
 }
 
 void ModelPicture::colour_vertices(const Model& model, const PaintOptions& options) {
   if (coloured_for_ == options.surface && coloured_joint_ == options.joint) return;
   coloured_for_ = options.surface;
   coloured_joint_ = options.joint;
-  const auto channel = [](unsigned rrggbb, int shift) { return double(rrggbb >> shift & 255); };
-  std::vector<unsigned char> colours;
-  colours.reserve(std::size_t(model.mesh.V.rows()) * 4);
-  for (Eigen::Index i = 0; i < model.mesh.V.rows(); ++i) {
-    Vec3 colour(channel(kClay, 16), channel(kClay, 8), channel(kClay, 0));
-    if (options.surface == Surface::weights) {
-      Vec3 mixed = Vec3::Zero();
-      double own = 0;
-      for (int k = 0; k < 4; ++k) {
-        const int joint = model.weights.joints(i, k);
-        const double weight = model.weights.weights(i, k);
-        const unsigned c = joint_colour(joint);
-        mixed += weight * Vec3(channel(c, 16), channel(c, 8), channel(c, 0));
-        if (joint == options.joint) own += weight;
-      }
-      const unsigned c = options.joint >= 0 ? joint_colour(options.joint) : 0;
-      colour = options.joint < 0 ? mixed
-                                 : Vec3((1 - own) * colour * 0.55 +
-                                        own * Vec3(channel(c, 16), channel(c, 8), channel(c, 0)));
+  using Colour = std::array<float, 3>;
+  const auto colour_of = [](unsigned rrggbb) {
+    return Colour{float(rrggbb >> 16 & 255), float(rrggbb >> 8 & 255), float(rrggbb & 255)};
+  };
+  const bool weights = options.surface == Surface::weights, all = options.joint < 0;
+  std::vector<Colour> of_joint;
+  for (int joint = 0; joint < model.skeleton.size(); ++joint)
+    of_joint.push_back(colour_of(joint_colour(joint)));
+  Colour ground = all && weights ? Colour{} : colour_of(kClay);
+  if (weights && !all)
+    for (float& c : ground) c *= 0.55f;
+  const std::size_t count = std::size_t(model.mesh.V.rows());
+  std::vector<unsigned char> colours(4 * count, 255);
+  const int* joint = model.weights.joints.data();
+  const double* weight = model.weights.weights.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    Colour mixed = ground;
+    for (std::size_t k = 4 * i; weights && k < 4 * i + 4; ++k) {
+      if (weight[k] == 0 || (!all && joint[k] != options.joint)) continue;
+      const Colour& own = of_joint[std::size_t(joint[k])];
+      for (std::size_t c = 0; c < 3; ++c)
+        mixed[c] += float(weight[k]) * (own[c] - (all ? 0 : ground[c]));
     }
-    for (int k = 0; k < 3; ++k)
-      colours.push_back(static_cast<unsigned char>(std::clamp(colour[k], 0.0, 255.0)));
-    colours.push_back(255);
+    for (std::size_t c = 0; c < 3; ++c)
+      colours[4 * i + c] = static_cast<unsigned char>(std::clamp(mixed[c], 0.0f, 255.0f));
   }
   fill(GL_ARRAY_BUFFER, colours_, colours, GL_STATIC_DRAW);
 }
@@ -339,6 +360,7 @@ void ModelPicture::paint(const Model& model, const Eye& eye, const PaintOptions&
   picture.shows = next_;
   move_vertices(model, next_);
   colour_vertices(model, options);
+  if (options.surface == Surface::wireframe) load_edges(model);
   picture.begin(next_.width, next_.height, options.rough);
   const Program& p = program();
   glUseProgram(p.id);
@@ -349,7 +371,7 @@ void ModelPicture::paint(const Model& model, const Eye& eye, const PaintOptions&
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_LEQUAL);
-  glDisable(GL_CULL_FACE);
+  glEnable(GL_CULL_FACE);  // surfaces are closed
   glDisable(GL_BLEND);
   const auto line = [&](ImU32 colour) {
     const ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour);
@@ -389,6 +411,7 @@ void ModelPicture::paint(const Model& model, const Eye& eye, const PaintOptions&
   glBindVertexArray(0);
   glUseProgram(0);
   glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
   picture.end();
 }
 

@@ -52,7 +52,8 @@ class RenderTarget {
   void release();
   int width_ = 0, height_ = 0;
   bool rough_ = false;
-  unsigned texture_ = 0, resolve_ = 0, smooth_ = 0, colour_ = 0, depth_ = 0;
+  // Painted into `smooth_`, several samples a pixel, and from there into `flat_`, or there at once.
+  unsigned texture_ = 0, flat_ = 0, smooth_ = 0, colour_ = 0, depth_ = 0;
 };
 
 class ModelPicture {
@@ -72,6 +73,7 @@ class ModelPicture {
  private:
   void move_vertices(const Model& model, const Scene& scene);
   void colour_vertices(const Model& model, const PaintOptions& options);
+  void load_edges(const Model& model);
   unsigned triangles_ = 0, edges_ = 0, ground_ = 0, ground_points_ = 0;  // vertex arrays
   unsigned positions_ = 0, normals_ = 0, uvs_ = 0, colours_ = 0, faces_ = 0, lines_ = 0;  // buffers
   unsigned texture_ = 0;
