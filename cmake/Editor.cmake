@@ -87,6 +87,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/touch.cpp
   src/editor/damage.cpp
   src/editor/list_painter.cpp
+  src/editor/menu.cpp
   src/editor/window.cpp
   src/editor/ui.cpp
   src/editor/commands.cpp

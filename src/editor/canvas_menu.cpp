@@ -1,13 +1,12 @@
 // What can be done to the outline or joint under the pointer, by right click, or by a finger that
 // rests.
-#include "editor/new_outline.h"
+#include "editor/menu.h"
+#include "editor/panels.h"
 #include "editor/pointer.h"
 
 namespace artisketch {
 namespace {
 
-constexpr float kLong = 0.5f;  // seconds
-constexpr float kStill = 8;    // points that a finger may slip meanwhile
 constexpr float kFinger = 14;  // points round a joint
 
 std::vector<Command> commands_of(Mode mode) {
@@ -24,14 +23,6 @@ std::vector<Command> commands_of(Mode mode) {
       break;
   }
   return {};
-}
-
-// A finger came to rest there half a second ago.
-bool long_press() {
-  const ImGuiIO& io = ImGui::GetIO();
-  const float held = io.MouseDownDuration[ImGuiMouseButton_Left];
-  return io.MouseSource != ImGuiMouseSource_Mouse && held >= kLong && held - io.DeltaTime < kLong &&
-         io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < kStill * kStill;
 }
 
 // Chooses what lies under the pointer; whether anything does.
@@ -51,35 +42,20 @@ bool choose(Work& work, const OnScreen& on) {
 
 }  // namespace
 
-bool menu_item(const char* label, const std::string& key, bool enabled) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  record(label, {at.x, at.y, ImGui::CalcTextSize(label).x + 20, ImGui::GetTextLineHeight()},
-         enabled);
-  return ImGui::MenuItem(("  " + std::string(label) + "  ").c_str(),
-                         key.empty() ? nullptr : key.c_str(), false, enabled);
-}
-
 void canvas_menu(Work& work, const Rect& place, const OnScreen& on) {
-  constexpr const char* kMenu = "canvas menu";
   const bool rests = long_press();
   const bool here = place.holds(ImGui::GetIO().MousePos) &&
                     ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-  if (here && !work.outline && work.fingers.count == 0 &&
-      (rests || ImGui::IsMouseClicked(ImGuiMouseButton_Right)) && choose(work, on)) {
-    if (rests) work.drop_gesture();  // the finger may have begun to draw
-    ImGui::OpenPopup(kMenu);
-  }
-  if (!ImGui::BeginPopup(kMenu)) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {10, 12});  // rows for fingers
-  ImGui::Dummy({0, 2});
+  const bool opens = here && !work.outline && work.fingers.count == 0 &&
+                     (rests || ImGui::IsMouseClicked(ImGuiMouseButton_Right)) && choose(work, on);
+  if (opens && rests) work.drop_gesture();  // the finger may have begun to draw
+  Menu menu("canvas menu", opens);
+  if (!menu) return;
   for (const Command command : commands_of(work.view.mode)) {
     if (!available(work, command)) continue;
     const CommandWords& words = words_of(command);
-    if (menu_item(words.name, key_words(words, work.platform.mac_keys()), true)) work.ask(command);
+    if (menu.line(words.name, key_words(words, work.platform.mac_keys()))) work.ask(command);
   }
-  ImGui::Dummy({0, 2});
-  ImGui::PopStyleVar();
-  ImGui::EndPopup();
 }
 
 }  // namespace artisketch

@@ -54,8 +54,6 @@ void use_tool(Work& work, const Rect& place, const Rect& clear, const OnScreen& 
 
 // What lies under a right click or a resting finger is chosen, and what can be done to it offered.
 void canvas_menu(Work& work, const Rect& place, const OnScreen& on);
-// A line of a menu that is open; whether it was chosen.
-bool menu_item(const char* label, const std::string& key, bool enabled);
 
 // Over the drawing in Pose: where the model's edge and the outlines part ways.
 void paint_fit_marks(Work& work, const OnScreen& on);

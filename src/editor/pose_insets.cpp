@@ -1,8 +1,10 @@
 // Beside the body in Pose: a ball that turns it whole, and its view from the side.
 #include <cmath>
+#include <utility>
 
 #include "document/edit.h"
 #include "document/posing.h"
+#include "editor/menu.h"
 #include "editor/pointer.h"
 #include "editor/tools.h"
 
@@ -147,21 +149,14 @@ void side_view(Work& work, const Rect& place, float pixel_ratio) {
 
 // The drawings whose pose this one can take.
 void poses_to_copy(Work& work, const Rect& canvas) {
-  if (work.view.choosing_pose) ImGui::OpenPopup("poses to copy");
-  work.view.choosing_pose = false;
   ImGui::SetNextWindowPos({canvas.x + kMargin, canvas.y + kMargin}, ImGuiCond_Appearing);
-  if (!ImGui::BeginPopup("poses to copy")) return;
-  ImGui::Dummy({0, 2});
-  for (int f = 0; f < int(work.document().frames.size()); ++f) {
+  Menu menu("poses to copy", std::exchange(work.view.choosing_pose, false));
+  for (int f = 0; menu && f < int(work.document().frames.size()); ++f) {
     if (f == work.view.frame) continue;
     const std::string name = drawing_words(work.document(), f);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    record("Pose of " + name, {at.x, at.y, 140, 20});
-    if (ImGui::MenuItem(("  Pose of " + name + "  ").c_str()))
+    if (menu.line("Pose of " + name))
       work.commit("Copy pose of " + name, with_pose_copied(work.document(), f, work.view.frame));
   }
-  ImGui::Dummy({0, 2});
-  ImGui::EndPopup();
 }
 
 }  // namespace

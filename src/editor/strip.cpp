@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "document/edit.h"
+#include "editor/menu.h"
 #include "editor/panels.h"
 
 namespace artisketch {
@@ -26,33 +27,25 @@ void thumbnail(const Work& work, const Frame& frame, const Rect& place, bool out
 
 namespace {
 
-// Duplicate, move, remove: on a right click, or a press that lasts.
-void drawing_menu(Work& work, int f, const Press& press) {
-  constexpr float kLong = 0.5f;  // seconds
-  const ImGuiIO& io = ImGui::GetIO();
-  if (press.held && io.MouseDownDuration[0] > kLong && !work.view.moving_drawing &&
-      !ImGui::IsMouseDragging(ImGuiMouseButton_Left))
-    ImGui::OpenPopup(ImGui::GetItemID());
-  if (!ImGui::BeginPopupContextItem()) return;
+void drawing_menu(Work& work, int f) {
+  Menu menu;
+  if (!menu) return;
   const Document& document = work.document();
   const auto move_to = [&](int to) {
     work.commit("Move drawing", with_frame_moved(document, f, to));
     work.view.frame = to;
   };
-  ImGui::Dummy({0, 2});
-  if (menu_item("Duplicate drawing", "", true)) {
+  if (menu.line("Duplicate drawing")) {
     work.commit("Duplicate drawing", with_frame_copied(document, f));
     work.view.frame = f + 1;
-  } else if (menu_item("Move left", "", f > 0)) {
+  } else if (menu.line("Move left", "", f > 0)) {
     move_to(f - 1);
-  } else if (menu_item("Move right", "", f + 1 < int(document.frames.size()))) {
+  } else if (menu.line("Move right", "", f + 1 < int(document.frames.size()))) {
     move_to(f + 1);
-  } else if (menu_item("Remove drawing", "", true)) {
+  } else if (menu.line("Remove drawing")) {
     work.commit("Remove drawing", without_frame(document, f));
     work.view.contour = -1;
   }
-  ImGui::Dummy({0, 2});
-  ImGui::EndPopup();
 }
 
 // A card that is dragged goes where the line between two others shows.
@@ -99,7 +92,7 @@ void card(Work& work, int f, const Rect& place, bool slim, bool narrow) {
     work.view.frame = f;
     work.view.contour = -1;
   }
-  drawing_menu(work, f, press);
+  drawing_menu(work, f);
   if (!work.has_frame() || f >= int(work.document().frames.size())) return;
   move_drawing(work, f, place, place.w + 8, press);
   draw().AddRectFilled(place.min(), place.max(),

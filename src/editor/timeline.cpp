@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "document/animate.h"
+#include "editor/menu.h"
 #include "editor/panels.h"
 #include "editor/pointer.h"
 #include "editor/tools.h"
@@ -109,14 +110,10 @@ void keys_row(Work& work, int c, const Rect& band, const Ruler& ruler) {
 }
 
 void clip_menu(Work& work, int c) {
-  if (!ImGui::BeginPopupContextItem()) return;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  record("Remove clip", {at.x, at.y, 120, 20});
-  if (ImGui::MenuItem("  Remove clip  ")) {
-    const std::string name = work.document().animations[std::size_t(c - 1)].name;
-    work.commit("Remove " + name, without_clip(work.document(), c - 1));
-  }
-  ImGui::EndPopup();
+  Menu menu;
+  if (!menu || !menu.line("Remove clip")) return;
+  const std::string name = work.document().animations[std::size_t(c - 1)].name;
+  work.commit("Remove " + name, without_clip(work.document(), c - 1));
 }
 
 void clip_row(Work& work, int c, const Rect& row, const Ruler& ruler) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Tracing, cutting, outlines, the skeleton and drawings on their way in, through the pointer."""
-import json, math, pathlib, subprocess
+import json, math, pathlib, subprocess, time
 
 from editor_window import Window, examples, pictures, run
 
@@ -32,6 +32,68 @@ def cell_says(window, label, words):
     """The words of a part in a drawing stand in the inspector once its mark is clicked."""
     window.click(label)
     window.wait(lambda: words in labels(window), why=f"{words!r} at {label}")
+
+
+def hand_of(path):
+    """The points of the hand's outline in the first drawing of a document."""
+    contours = json.loads(path.read_text())["frames"][0]["contours"]
+    return next(c["points"] for c in contours if c["joint"] == "hand.R")
+
+
+def save_as(window, name):
+    saved = pathlib.Path(window.home, name)
+    window.key("ctrl+shift+s")
+    window.wait(lambda: "Path" in labels(window), why="the question")
+    window.key("ctrl+a")
+    window.x("type", "--delay", "40", str(saved))
+    window.key("Return")
+    window.wait(saved.exists, why="the file")
+    return saved
+
+
+def moves_adds_and_redraws_points():
+    document = examples / "hero/hero.artisketch"
+    window = Window("1440x900", document)
+    before = hand_of(document)
+    low = max(before, key=lambda p: p[1])
+    point = at(window, *low)
+    click(window, point)  # chooses the outline
+    window.wait(lambda: "Redraw" in labels(window), why="the outline's buttons")
+    time.sleep(0.4)  # not a double click
+    window.drag([point, [point[0] + 2, point[1] + 6], [point[0] + 4, point[1] + 12]])
+    undo_is(window, "Move point")
+    window.picture("point-moved")
+    moved = hand_of(save_as(window, "moved.artisketch"))
+    assert len(moved) == len(before)
+    zoom = math.dist(at(window, 0, 0), at(window, 1, 0))
+    assert abs(max(p[1] for p in moved) - low[1] - 12 / zoom) < 3, "it came to where it was let go"
+    window.key("ctrl+z")
+
+    # An edge bends where it is held: half-way along the longest, seen from near.
+    window.x("click", "--repeat", 8, "--delay", 60, 4)
+    ends = max(zip(before, before[1:]), key=lambda e: math.dist(*e))
+    edge = at(window, *[(a + b) / 2 for a, b in zip(*ends)])
+    window.drag([edge, [edge[0] + 4, edge[1] - 4], [edge[0] + 9, edge[1] - 9]])
+    undo_is(window, "Move point")
+    assert len(hand_of(save_as(window, "bent.artisketch"))) == len(before) + 1
+    window.key("ctrl+z")
+    window.wait(lambda: not window.state()["undo"], why="the first state")
+    window.x("mousemove", *map(round, edge))
+    window.x("click", "--repeat", 2, "--delay", 60, 1)
+    undo_is(window, "Add point")
+    assert len(hand_of(save_as(window, "added.artisketch"))) == len(before) + 1
+    window.key("ctrl+z")
+
+    # A stroke from the outline to the outline takes the place of what runs between.
+    window.click("Draw tool")
+    left, right = (pick(before, key=lambda p: p[0]) for pick in (min, max))
+    bulge = [(left[0] + right[0]) / 2, low[1] + 25]
+    window.drag([at(window, *[(1 - t) ** 2 * a + 2 * t * (1 - t) * b + t * t * c
+                              for a, b, c in zip(left, bulge, right)])
+                 for t in (i / 24 for i in range(25))])
+    undo_is(window, "Redraw Hand R")
+    window.picture("redrawn")
+    window.close()
 
 
 def outlines_and_names_on_a_tablet():
@@ -74,13 +136,7 @@ def settles_what_a_drawing_hides():
     cell_says(window, cell, "Missing in Side")
     window.key("ctrl+shift+z")
     cell_says(window, cell, "Hidden in Side")
-    saved = pathlib.Path(window.home, "hidden.artisketch")
-    window.key("ctrl+shift+s")
-    window.wait(lambda: "Path" in labels(window), why="the question")
-    window.key("ctrl+a")
-    window.x("type", "--delay", "40", str(saved))
-    window.key("Return")
-    window.wait(saved.exists, why="the file")
+    saved = save_as(window, "hidden.artisketch")
     assert json.loads(saved.read_text())["frames"][1]["hidden"] == ["hand.R"]
     window.close()
     again = Window("1440x900", saved)
@@ -317,7 +373,7 @@ def takes_drawings_in():
     window.close()
 
 
-run(traces_and_cuts, gives_outlines_to_parts, joins_copies_and_picks_joints,
+run(moves_adds_and_redraws_points, traces_and_cuts, gives_outlines_to_parts, joins_copies_and_picks_joints,
     offers_what_can_be_done_to_an_outline_or_joint, mends_a_crossing,
     builds_a_skeleton, takes_drawings_in, outlines_and_names_on_a_tablet, settles_what_a_drawing_hides,
     says_that_a_part_inside_others_shows_no_edge)

@@ -205,6 +205,14 @@ def sets_keys_and_moves_them():
     window.key("ctrl+e")
     window.wait(lambda: any(w["label"] == "clip 1" for w in window.widgets()), why="the sheet")
     window.picture("result-export")
+    window.key("Escape")
+    window.point_at("Clip clip 1")
+    window.x("click", 3)
+    window.click("Remove clip")
+    window.wait(lambda: window.state()["undo"] == "Remove clip 1", why="the clip to go")
+    assert not any(w["label"] == "Clip clip 1" for w in window.widgets())
+    window.key("ctrl+z")
+    window.wait(lambda: any(w["label"] == "Clip clip 1" for w in window.widgets()), why="undo")
     window.close()
 
 

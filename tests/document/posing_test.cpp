@@ -73,6 +73,26 @@ TEST(Posing, BeyondItsReachALimbPointsAtThePointer) {
   EXPECT_LT((s.place(pose, kHand) - Vec3(0.2, 1.9, 0)).norm(), 1e-6);
 }
 
+TEST(Posing, AJointGoesToAPlaceInSpaceAsNearAsItsBonesReach) {
+  const Seen s;
+  const Vec3 near(0.5, 1.3, 0.4), far(0.2, 1, 5);
+  const Pose pose = with_joint_at(s.skeleton, s.rest, kHand, near, 2);
+  EXPECT_LT((s.place(pose, kHand) - near).norm(), 1e-6);
+  EXPECT_LT((s.place(pose, kUpperArm) - s.place(s.rest, kUpperArm)).norm(), 1e-9);
+  for (int joint : {kForearm, kHand, kTip})
+    EXPECT_NEAR(s.length(pose, joint), s.length(s.rest, joint), 1e-9);
+  const Pose stretched = with_joint_at(s.skeleton, s.rest, kHand, far, 2);
+  EXPECT_LT((s.place(stretched, kHand) - Vec3(0.2, 1, 0.9)).norm(), 1e-6);
+  // One bone alone turns; what comes before it stays.
+  const Pose wrist = with_joint_at(s.skeleton, s.rest, kHand, near, 1);
+  EXPECT_LT((s.place(wrist, kForearm) - s.place(s.rest, kForearm)).norm(), 1e-9);
+  const Vec3 aim = (near - s.place(wrist, kForearm)).normalized();
+  EXPECT_LT((s.place(wrist, kHand) - s.place(wrist, kForearm) - 0.4 * aim).norm(), 1e-6);
+  // The root takes all with it.
+  const Pose moved = with_joint_at(s.skeleton, s.rest, kChest, {1, 1, 1}, 0);
+  EXPECT_LT((s.place(moved, kTip) - s.place(s.rest, kTip) - Vec3(1, 0, 1)).norm(), 1e-9);
+}
+
 TEST(Posing, AShortenedBoneStandsInDepthOnTheSideWhereItWas) {
   const Seen s;
   const Vec2 pixel = s.camera.project({0.5, 1, 0});
