@@ -129,6 +129,35 @@ const artisketch = (() => {
     }, {capture: true});
   }
 
+  // While a pen is near, it draws and fingers move the view. Some browsers send its tip as a touch, too.
+  function watchPen() {
+    let leaves = 0; // the timer of a pen that left, since a hand rests while it does
+    let tip = null;
+    const near = () => {
+      clearTimeout(leaves);
+      leaves = 0;
+      module?._page_pen(true);
+    };
+    for (const kind of ['pointerover', 'pointermove', 'pointerdown']) {
+      addEventListener(kind, (event) => {
+        if (event.pointerType !== 'pen') return;
+        near();
+        if (kind === 'pointerdown') tip = event;
+      }, {capture: true, passive: true});
+    }
+    addEventListener('pointerout', (event) => {
+      if (event.pointerType !== 'pen' || event.relatedTarget || leaves) return;
+      leaves = setTimeout(() => module?._page_pen(false), 1000);
+    }, {capture: true, passive: true});
+    addEventListener('touchstart', ({changedTouches}) => {
+      for (const {identifier, clientX, clientY} of changedTouches) {
+        if (!tip || Math.hypot(clientX - tip.clientX, clientY - tip.clientY) > 2) continue;
+        module?._page_pen_touches(identifier);
+        tip = null;
+      }
+    }, {capture: true, passive: true});
+  }
+
   // The window may move to a screen of other density without a change of size.
   function watchPixelRatio() {
     matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener('change', () => {
@@ -301,6 +330,7 @@ const artisketch = (() => {
       throw new Error(why);
     }
     watchInput();
+    watchPen();
     files.watchDrops();
     watchControls();
     addEventListener('beforeunload', (event) => {

@@ -94,6 +94,16 @@ EMSCRIPTEN_KEEPALIVE double page_frame() {
   return page->due > 0 ? 0 : std::max(0.0, page->editor.next_frame_in());
 }
 
+// A pen came near the screen, or left.
+EMSCRIPTEN_KEEPALIVE void page_pen(bool near) {
+  page->window.pen_near(near);
+}
+
+// The touch of that identifier is the pen's tip.
+EMSCRIPTEN_KEEPALIVE void page_pen_touches(int identifier) {
+  page->window.pen_touches(identifier);
+}
+
 EMSCRIPTEN_KEEPALIVE void page_stir() {
   page->due = 3;
 }

@@ -96,7 +96,7 @@ void navigate(Work& work, const Rect& place) {
   View& view = work.view;
   const Fingers& fingers = work.fingers;
   const ImGuiIO& io = ImGui::GetIO();
-  if (fingers.count > 1 && place.holds(fingers.at)) {
+  if (fingers.count > 0 && place.holds(fingers.at)) {
     view.origin.x += fingers.moved.x;
     view.origin.y += fingers.moved.y;
     zoom_about(view, fingers.at, fingers.spread);

@@ -34,7 +34,7 @@ void pan(Orbit& orbit, ImVec2 by, const Rect& place) {
 
 void navigate(Orbit& orbit, const Fingers& fingers, const Rect& place, bool free_to_turn) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (fingers.count > 1 && place.holds(fingers.at)) {
+  if (fingers.count > 0 && place.holds(fingers.at)) {
     pan(orbit, fingers.moved, place);
     orbit.distance /= fingers.spread;
     return;

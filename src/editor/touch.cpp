@@ -29,12 +29,15 @@ void Touch::begin_anew() {
   if (!fingers_.empty()) measure(middle_, spread_);
 }
 
-void Touch::down(long long finger, ImVec2 at, double time) {
+bool Touch::down(long long finger, ImVec2 at, double time) {
   if (fingers_.empty()) most_ = 0, began_ = time, way_ = 0;
   fingers_[finger] = at;
   most_ = std::max(most_, int(fingers_.size()));
-  if (fingers_.size() > 1 && !std::exchange(several_, true)) since_.began = true;
+  const bool second = fingers_.size() > 1 && !several_;
+  if (second) since_.began = true;
+  if (second || (fingers_.size() == 1 && pen_near_)) several_ = true;
   begin_anew();
+  return second;
 }
 
 void Touch::move(long long finger, ImVec2 at) {
@@ -42,7 +45,7 @@ void Touch::move(long long finger, ImVec2 at) {
   if (found == fingers_.end()) return;
   way_ += std::hypot(at.x - found->second.x, at.y - found->second.y);
   found->second = at;
-  if (fingers_.size() < 2) return;
+  if (!several_) return;
   ImVec2 middle;
   float spread;
   measure(middle, spread);
@@ -64,7 +67,7 @@ void Touch::up(long long finger, double time) {
 
 Fingers Touch::take() {
   Fingers now = std::exchange(since_, {});
-  now.count = fingers_.size() > 1 ? int(fingers_.size()) : 0;
+  now.count = several_ ? int(fingers_.size()) : 0;
   now.at = middle_;
   return now;
 }

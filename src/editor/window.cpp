@@ -75,17 +75,21 @@ Window::~Window() {
 }
 
 bool Window::take_touch(const SDL_Event& event) {
-  // A mouse that SDL makes of the first finger: it rests while there are several.
-  const auto of_finger = [](Uint32 which) { return which == SDL_TOUCH_MOUSEID; };
-  if (event.type == SDL_MOUSEMOTION && of_finger(event.motion.which)) return !touch_.several();
-  if ((event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP) &&
-      of_finger(event.button.which))
-    return !touch_.several();
+  // A mouse that SDL makes of the first finger, or of a pen's tip.
+  const bool motion = event.type == SDL_MOUSEMOTION,
+             press = event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP;
+  if ((motion && event.motion.which == SDL_TOUCH_MOUSEID) ||
+      (press && event.button.which == SDL_TOUCH_MOUSEID))
+    return touch_.points() || pen_;
   if (event.type != SDL_FINGERDOWN && event.type != SDL_FINGERMOTION && event.type != SDL_FINGERUP)
     return true;
   int width = 0, height = 0;
   SDL_GetWindowSize(window_, &width, &height);
   const SDL_TouchFingerEvent& finger = event.tfinger;
+  if (pen_ == finger.fingerId) {  // it is the pointer, as a mouse
+    if (event.type == SDL_FINGERUP) pen_.reset();
+    return false;
+  }
   const ImVec2 at{finger.x * float(width), finger.y * float(height)};
   const double time = finger.timestamp / 1000.0;
   if (event.type == SDL_FINGERMOTION) {
@@ -93,9 +97,7 @@ bool Window::take_touch(const SDL_Event& event) {
   } else if (event.type == SDL_FINGERUP) {
     touch_.up(finger.fingerId, time);
   } else {
-    const bool alone = !touch_.several();
-    touch_.down(finger.fingerId, at, time);
-    if (alone && touch_.several()) {  // the pointer leaves without a click
+    if (touch_.down(finger.fingerId, at, time)) {  // the pointer leaves without a click
       ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
       ImGui::GetIO().AddMouseButtonEvent(ImGuiMouseButton_Left, false);
       pointer_.reset();
@@ -142,7 +144,13 @@ void Window::draw(Editor& editor) {
   // send no raw events (VNC, Xvfb).
   if (pointer_) ImGui::GetIO().AddMousePosEvent(pointer_->first, pointer_->second);
   ImGui::NewFrame();
-  editor.touch(touch_.take());
+  const Fingers fingers = touch_.take();
+  if (fingers.tapped == 1) {  // beside a pen
+    ImGuiIO& io = ImGui::GetIO();
+    io.AddMousePosEvent(fingers.at.x, fingers.at.y);
+    for (const bool down : {true, false}) io.AddMouseButtonEvent(ImGuiMouseButton_Left, down);
+  }
+  editor.touch(fingers);
   editor.frame(float(width), float(height), ratio);
   ImGui::Render();
   const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(theme().panel);

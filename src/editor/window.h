@@ -34,6 +34,9 @@ class Window {
   void draw(Editor& editor);
 
   std::function<void(const std::string& path)> on_drop;  // of a file onto the window
+  // A pen came near or left; and the finger that SDL takes its tip for.
+  void pen_near(bool near) { touch_.pen_near(near); }
+  void pen_touches(long long finger) { pen_ = finger; }
   // Whether what was drawn stays until it is drawn over: then only what changed is.
   bool lasting = false;
   SDL_Window* handle() const { return window_; }
@@ -49,6 +52,7 @@ class Window {
   ListPainter painter_;
   int pixels_wide_ = 0, pixels_high_ = 0;  // of the frame drawn last
   Touch touch_;
+  std::optional<long long> pen_;
   std::optional<std::pair<float, float>> pointer_;  // where it is over the window
 };
 

@@ -282,6 +282,54 @@ test('two fingers pan and zoom, a tap of two undoes', async (t) => {
   await editor.until((state) => state.undo === 'Delete Head');
 });
 
+test('while a pen is near it draws, and a finger pans and taps', async (t) => {
+  const context = await browser(t, {touch: true});
+  const editor = await open(context, site.url);
+  await openHero(editor);
+  const {page} = editor;
+  const cdp = await context.newCDPSession(page);
+  const pen = (type, {x, y}, buttons = 0) => cdp.send('Input.dispatchMouseEvent', {
+    type, x, y, buttons, pointerType: 'pen', ...(type === 'mouseMoved' ? {} : {button: 'left', clickCount: 1})});
+  const touch = async (type, places) => {
+    await cdp.send('Input.dispatchTouchEvent', {type, touchPoints: places.map(({x, y}) => ({x, y, id: 7}))});
+    await page.waitForTimeout(40);
+  };
+  const where = (x, y) => page.evaluate((at) => artisketch.project(0, ...at), [x, y]);
+  const disc = (t) => where(300 + 20 * Math.cos(t), 300 + 20 * Math.sin(t));
+
+  await editor.click('Draw tool');
+  await pen('mouseMoved', await disc(0));
+  await page.waitForTimeout(100);
+  const before = await where(300, 300);
+  await touch('touchStart', [before]);
+  for (let i = 1; i <= 10; i++) await touch('touchMove', [{x: before.x + 4 * i, y: before.y + 2 * i}]);
+  await touch('touchEnd', []);
+  let after;
+  for (let tries = 0; tries < 100; tries++) {
+    after = await where(300, 300);
+    if (Math.abs(after.x - before.x - 40) < 1) break;
+    await page.waitForTimeout(50);
+  }
+  assert.ok(Math.abs(after.x - before.x - 40) < 1 && Math.abs(after.y - before.y - 20) < 1, 'the finger pans');
+  assert.equal((await editor.state()).canUndo, false, 'and draws nothing');
+
+  await pen('mouseMoved', await disc(0));
+  await pen('mousePressed', await disc(0), 1);
+  for (let i = 0; i <= 40; i++) {
+    await pen('mouseMoved', await disc(i * Math.PI / 20), 1);
+    await page.waitForTimeout(30);
+  }
+  await pen('mouseReleased', await disc(0));
+  await page.keyboard.press('Enter');
+  await editor.until((state) => state.undo.startsWith('Draw '), 5);
+
+  const {x, y, width, height} = await editor.widget('Undo');
+  await touch('touchStart', [{x: x + width / 2, y: y + height / 2}]);
+  await touch('touchEnd', []);
+  await editor.until((state) => !state.canUndo, 5);
+  assert.deepEqual(editor.faults, []);
+});
+
 test('a killed tab loses three seconds at most', async (t) => {
   const context = await browser(t);
   const editor = await open(context, site.url);
