@@ -106,6 +106,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/tool_rail.cpp
   src/editor/canvas.cpp
   src/editor/canvas_menu.cpp
+  src/editor/missing_card.cpp
   src/editor/pointer.cpp
   src/editor/tools.cpp
   src/editor/outline_tools.cpp

@@ -70,6 +70,7 @@ void fit_between(Work& work, const Layout& layout) {
   view.fitted_size = size;
   fit(view, work.frame(), place);
   std::vector<Rect> floating{rail_place(work, layout), layout.view, layout.canvas_head};
+  if (const std::optional<Rect> card = missing_card_place(work, layout)) floating.push_back(*card);
   if (view.mode == Mode::pose)
     for (const Rect& inset : pose_inset_places(layout)) floating.push_back(inset);
   const Figure figure = figure_of(work);
@@ -320,6 +321,18 @@ void invitation(Work& work, const Rect& place) {
   command_button(work, Command::blank_drawing, row.cut_right(half));
 }
 
+// Beside a large model (tablets): to look at, and to tap.
+void as_inset(Work& work, const Rect& place, float pixel_ratio) {
+  const Theme& t = theme();
+  fit(work.view, work.frame(), place.inset(8));
+  paint_sketch(work, place, pixel_ratio);
+  draw().AddRect(place.min(), place.max(), t.line, kRadiusPanel);
+  const ImVec2 corner{place.right() - 22, place.y + 22};
+  draw().AddCircleFilled(corner, 16, faded(t.panel, 0.85f));
+  write_icon(corner, IconSize::normal, t.text, icon::kFullscreen);
+  if (press_area("Enlarge the drawing", place).clicked) work.view.swap();
+}
+
 }  // namespace
 
 void canvas(Work& work, const Layout& layout, float pixel_ratio) {
@@ -329,12 +342,15 @@ void canvas(Work& work, const Layout& layout, float pixel_ratio) {
     whole.y = layout.canvas_head.y;
     whole.h = layout.canvas_foot.bottom() - whole.y;
   }
-  const Panel panel("Canvas", whole, t.canvas);
+  const Panel panel("Canvas", whole, t.canvas,
+                    layout.swapped ? Panel::Layer::floating : Panel::Layer::base,
+                    layout.swapped ? kRadiusPanel : 0);
   const Rect place = layout.canvas;
   if (!work.has_frame()) {
     invitation(work, place);
     return;
   }
+  if (layout.swapped) return as_inset(work, place, pixel_ratio);
   if (!work.view.fit)
     work.view.fitted_frame = -1;
   else if (layout.tablet)

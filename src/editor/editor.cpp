@@ -122,15 +122,19 @@ void Editor::frame(float width, float height, float pixel_ratio) {
   if (work.view.welcome) {
     welcome(work, layout, pixel_ratio);
   } else {
+    if (layout.swapped) model_view(work, layout, pixel_ratio);
     canvas(work, layout, pixel_ratio);
     keep_live(work);  // what was dragged there is computed while the rest is drawn
-    if (!layout.tablet || !work.view.exporting) tool_rail(work, layout);  // the sheet goes there
-    model_view(work, layout, pixel_ratio);
+    const bool tall = layout.tablet && (work.view.exporting || work.view.all_drawings);
+    if (!tall) tool_rail(work, layout);  // else the sheet goes there
+    if (!layout.swapped) model_view(work, layout, pixel_ratio);
+    missing_card(work, layout);
     if (work.view.mode == Mode::result)
       timeline(work, layout);
     else
       drawing_strip(work, layout);
     inspector(work, layout);
+    splitters(work, layout);
   }
   if (!layout.tablet) status_line(work, layout);
   toasts(work, layout);

@@ -16,12 +16,6 @@ std::string bytes_in_words(std::size_t bytes) {
 
 namespace {
 
-std::string in_thousands(int number) {
-  std::string text = std::to_string(number);
-  if (text.size() > 3) text.insert(text.size() - 3, "\u00A0");
-  return text;
-}
-
 // How many triangles the model shall have; another number makes another model.
 void triangles_row(Work& work, Rect column) {
   constexpr int kFewest = 1000, kMost = 60000, kStep = 500, kDefault = 15000;
@@ -148,7 +142,7 @@ void export_sheet(Work& work, const Rect& place) {
       write(row.cut_right(row.w - 80), Font::caption_bold, t.text, value, Align::right);
       write(row, Font::caption, t.muted, what);
     };
-    line("Triangles", std::to_string(model.mesh.F.rows()));
+    line("Triangles", in_thousands(int(model.mesh.F.rows())));
     line("Skeleton", std::to_string(model.skeleton.size()) +
                          (model.skeleton.size() == 1 ? " joint" : " joints"));
     line("Weights", "4 per vertex, sum to 1");

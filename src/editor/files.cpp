@@ -33,6 +33,7 @@ void start_with(Work& work, Document document) {
   view.welcome = false;
   view.mode = Mode::outline;
   view.frame = 0;
+  view.missing_seen.clear();
   view.joint = view.contour = -1;
   view.fit_again();
   view.playing = view.exporting = false;

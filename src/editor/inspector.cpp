@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "document/edit.h"
 #include "document/templates.h"
@@ -149,6 +150,16 @@ void matrix(Work& work, Rect& place) {
 void part_chips(Work& work, Rect place) {
   const Theme& t = theme();
   const Document& document = work.document();
+  // Dragged up, the sheet shows all drawings.
+  const Rect grip{place.centre().x - 60, place.y, 120, 14};
+  press_area("Parts sheet", grip);
+  draw().AddRectFilled({grip.centre().x - 18, grip.y + 5}, {grip.centre().x + 18, grip.y + 9},
+                       t.disabled, 2);
+  constexpr float kFar = 24;  // points
+  if (item_dragged()) {
+    const float way = ImGui::GetIO().MousePos.y - ImGui::GetIO().MouseClickedPos[0].y;
+    if (std::abs(way) > kFar) work.view.all_drawings = way < 0;
+  }
   Rect head = place.cut_top(52).inset(16, 8);
   Look all;
   all.icon = icon::kGrid;

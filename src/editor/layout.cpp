@@ -1,5 +1,11 @@
 #include "editor/layout.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "editor/pointer.h"
+#include "editor/ui.h"
+
 namespace artisketch {
 namespace {
 
@@ -17,6 +23,11 @@ Layout tablet(Rect all, const View& view) {
   l.canvas_foot = {};
   l.rail = {all.x + 12, all.y + 91, 68, 0};
   l.view = {all.right() - 244, all.bottom() - 280, 232, 268};
+  l.swapped = view.swapped[std::size_t(view.mode)];
+  if (l.swapped) {
+    std::swap(l.canvas, l.view);
+    l.view_head = {all.x + 80, all.y + 6, all.w - 80, 48};
+  }
   return l;
 }
 
@@ -29,10 +40,16 @@ Layout lay_out(float width, float height, const View& view) {
   l.compact = width < kCompactWidth || height < kCompactHeight;
   l.top = all.cut_top(48);
   l.status = all.cut_bottom(24);
-  l.inspector = all.cut_right(l.compact ? 264 : 288);
-  l.strip = all.cut_bottom(view.mode == Mode::result ? 148 : l.compact ? 80 : 112);
+  const Splits& by = view.splits;
+  constexpr float kLeast = 240;  // of what lies beside
+  const auto sized = [](float usual, float more, float least, float most) {
+    return std::clamp(usual + more, least, std::max(least, most));
+  };
+  l.inspector = all.cut_right(sized(l.compact ? 264 : 288, by.inspector, 232, all.w / 3));
+  const float strip = view.mode == Mode::result ? 148 : l.compact ? 80 : 112;
+  l.strip = all.cut_bottom(sized(strip, by.strip, l.compact ? 64 : 80, all.h / 2));
   l.rail = all.cut_left(l.compact ? 48 : 64);
-  l.view = all.cut_right(l.compact ? 300 : 396);
+  l.view = all.cut_right(sized(l.compact ? 300 : 396, by.model, kLeast, all.w - kLeast));
   l.canvas = all;
   l.canvas_head = l.canvas.cut_top(48);
   l.canvas_foot = l.canvas.cut_bottom(44);
@@ -40,6 +57,46 @@ Layout lay_out(float width, float height, const View& view) {
   l.view_head = model.cut_top(48);
   l.view_foot = model.cut_bottom(44);
   return l;
+}
+
+void splitters(Work& work, const Layout& layout) {
+  if (layout.tablet) return;
+  struct Edge {
+    const char* name;
+    float& size;
+    Rect place;
+    bool upright;
+  };
+  constexpr float kGrip = 6;
+  Splits& by = work.view.splits;
+  const Rect &inspector = layout.inspector, &model = layout.view, &strip = layout.strip;
+  const float grip = kGrip / 2;
+  for (const Edge& edge :
+       {Edge{"Inspector edge",
+             by.inspector,
+             {inspector.x - grip, inspector.y, kGrip, inspector.h},
+             true},
+        Edge{"Model edge", by.model, {model.x - grip, model.y, kGrip, model.h}, true},
+        Edge{"Strip edge", by.strip, {strip.x, strip.y - grip, strip.w, kGrip}, false}}) {
+    const Panel panel(edge.name, edge.place, 0, Panel::Layer::floating);
+    const Press press = press_area(edge.name, edge.place);
+    if (press.hovered || press.held) {
+      ImGui::SetMouseCursor(edge.upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+      const ImVec2 middle = edge.place.centre();
+      if (edge.upright)
+        draw().AddRectFilled({middle.x - 1, edge.place.y}, {middle.x + 1, edge.place.bottom()},
+                             theme().accent);
+      else
+        draw().AddRectFilled({edge.place.x, middle.y - 1}, {edge.place.right(), middle.y + 1},
+                             theme().accent);
+    }
+    if (ImGui::IsItemActivated()) by.grabbed = edge.size;
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 from = io.MouseClickedPos[ImGuiMouseButton_Left];
+    if (item_dragged())
+      edge.size = by.grabbed + (edge.upright ? from.x - io.MousePos.x : from.y - io.MousePos.y);
+    if (press.double_clicked) edge.size = 0;
+  }
 }
 
 }  // namespace artisketch

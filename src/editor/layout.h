@@ -7,6 +7,7 @@ namespace artisketch {
 
 struct Layout {
   bool tablet = false;                    // held upright: everything for fingers
+  bool swapped = false;                   // of a tablet: the drawing is the inset
   bool compact = false;                   // a small screen: icons without words, one line each
   Rect top, modes;                        // modes: the tablet's second row
   Rect rail;                              // tools; floats on tablets
@@ -17,5 +18,8 @@ struct Layout {
 };
 
 Layout lay_out(float width, float height, const View& view);
+
+// The edges between panels, to drag; a double click sets them back.
+void splitters(Work& work, const Layout& layout);
 
 }  // namespace artisketch

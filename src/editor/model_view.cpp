@@ -32,12 +32,13 @@ void pan(Orbit& orbit, ImVec2 by, const Rect& place) {
   orbit.target -= unit * (by.x * turn.row(0) - by.y * turn.row(1)).transpose();
 }
 
-void navigate(Orbit& orbit, const Fingers& fingers, const Rect& place, bool free_to_turn) {
+// Whether it was tapped.
+bool navigate(Orbit& orbit, const Fingers& fingers, const Rect& place, bool free_to_turn) {
   const ImGuiIO& io = ImGui::GetIO();
   if (fingers.count > 0 && place.holds(fingers.at)) {
     pan(orbit, fingers.moved, place);
     orbit.distance /= fingers.spread;
-    return;
+    return false;
   }
   const Press press = press_area("Turn the model", place);
   const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
@@ -51,6 +52,7 @@ void navigate(Orbit& orbit, const Fingers& fingers, const Rect& place, bool free
     orbit.yaw -= 0.01 * io.MouseDelta.x;
     orbit.pitch = std::clamp(orbit.pitch + 0.01 * io.MouseDelta.y, -1.5, 1.5);
   }
+  return press.clicked && free_to_turn && !pointer_dragged();
 }
 
 void paint_joints(const Work& work, const Eye& eye, const std::vector<Vec3>& joints) {
@@ -157,7 +159,7 @@ void foot(const Work& work, const Rect& band) {
     words = "Changed since the model was made.";
     good = false;
   } else if (work.view.mode == Mode::result) {
-    words = std::to_string(built.model.mesh.F.rows()) + " triangles, " +
+    words = in_thousands(int(built.model.mesh.F.rows())) + " triangles, " +
             std::to_string(built.model.skeleton.size()) +
             (built.model.skeleton.size() == 1 ? " joint" : " joints") +
             (built.model.texture ? ", 1 texture" : "");
@@ -203,14 +205,15 @@ void nothing_yet(const Work& work, const Rect& place) {
 void model_view(Work& work, const Layout& layout, float pixel_ratio) {
   const Theme& t = theme();
   Rect place = layout.view;
-  const Panel panel("Model", place, t.canvas,
-                    layout.tablet ? Panel::Layer::floating : Panel::Layer::base,
-                    layout.tablet ? kRadiusPanel : 0);
-  ground_shade(place, layout.tablet);
+  const bool inset = layout.tablet && !layout.swapped;
+  const float radius = inset ? kRadiusPanel : 0;
+  const Panel panel("Model", place, t.canvas, inset ? Panel::Layer::floating : Panel::Layer::base,
+                    radius);
+  ground_shade(place, inset);
   const Built* shown = work.shown();
   if (!shown) {
     nothing_yet(work, place);
-    if (!layout.tablet) head(work, layout);
+    if (!inset) head(work, layout);
     return;
   }
   const Eye eye = orbit_eye(work.view.orbit, place);
@@ -228,8 +231,7 @@ void model_view(Work& work, const Layout& layout, float pixel_ratio) {
   options.ground = true;
   options.rough = work.hurried;
   options.dark = t.dark;
-  show_model(*shown, eye, options, work.model_seen, 1, pixel_ratio,
-             layout.tablet ? kRadiusPanel : 0);
+  show_model(*shown, eye, options, work.model_seen, 1, pixel_ratio, radius);
 
   std::vector<Vec3> joints;
   for (const Transform& joint : posed_joints(shown->model.skeleton, pose))
@@ -242,17 +244,20 @@ void model_view(Work& work, const Layout& layout, float pixel_ratio) {
   if (!layout.tablet)
     turning = {place.x, layout.view_head.bottom(), place.w,
                layout.view_foot.y - layout.view_head.bottom()};
-  navigate(work.view.orbit, work.fingers, turning, !grabbed);
+  const bool tapped = navigate(work.view.orbit, work.fingers, turning, !grabbed);
   paint_axes(eye,
              {place.right() - 38, layout.tablet ? place.bottom() - 40 : layout.view_foot.y - 16});
-  if (layout.tablet) {
+  if (inset) {
     draw().AddRect(place.min(), place.max(), t.line, kRadiusPanel);
+    write_icon({place.right() - 22, place.y + 22}, IconSize::normal, t.text, icon::kFullscreen);
+    record("Enlarge the model", {place.right() - 44, place.y, 44, 44});
+    if (tapped) work.view.swap();
     write({place.x + 14, place.y + 10, 150, 18}, Font::caption_bold, t.text,
           work.view.mode == Mode::result ? "Model" : "Live model");
     return;
   }
   head(work, layout);
-  foot(work, layout.view_foot);
+  if (!layout.tablet) foot(work, layout.view_foot);
 }
 
 }  // namespace artisketch

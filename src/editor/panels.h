@@ -42,6 +42,9 @@ void export_sheet(Work& work, const Rect& place);
 void drawing_strip(Work& work, const Layout& layout);
 void timeline(Work& work, const Layout& layout);
 void status_line(const Work& work, const Layout& layout);
+// What a drawing lacks (tablets); and where that is said, if it is.
+void missing_card(Work& work, const Layout& layout);
+std::optional<Rect> missing_card_place(const Work& work, const Layout& layout);
 void toasts(Work& work, const Layout& layout);
 void welcome(Work& work, const Layout& layout, float pixel_ratio);
 void shortcut_sheet(Work& work, float width, float height);

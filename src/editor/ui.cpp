@@ -77,6 +77,7 @@ Panel::Panel(const char* name, const Rect& place, ImU32 ground, Layer layer, flo
   ImGui::SetNextWindowPos(place.min());
   ImGui::SetNextWindowSize({place.w, place.h});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, radius);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
   ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
@@ -91,13 +92,19 @@ Panel::Panel(const char* name, const Rect& place, ImU32 ground, Layer layer, flo
 Panel::~Panel() {
   ImGui::End();
   ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
 }
 
 // ---------------------------------------------------------------- drawing
 
 ImDrawList& draw() {
   return *ImGui::GetWindowDrawList();
+}
+
+std::string in_thousands(int number) {
+  std::string text = std::to_string(number);
+  if (text.size() > 3) text.insert(text.size() - 3, "\u00A0");
+  return text;
 }
 
 float text_width(Font which, const std::string& text) {

@@ -42,6 +42,7 @@ void write_icon(ImVec2 centre, IconSize size, ImU32 colour, const char* icon);
 void shadow(const Rect& place, float radius);
 void hairline(ImVec2 from, ImVec2 to);
 void dashed_frame(const Rect& place, float radius, ImU32 colour);
+std::string in_thousands(int number);  // "15 000", for numbers below a million
 void key_cap(const Rect& place, const std::string& key);
 
 // ---------------------------------------------------------------- controls

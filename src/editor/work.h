@@ -129,6 +129,12 @@ struct ExportWish {
   bool waits = false;             // for the model under way
 };
 
+// How far panels were dragged from their usual sizes, in points.
+struct Splits {
+  float inspector = 0, model = 0, strip = 0;
+  float grabbed = 0;  // how far the one under the pointer was when it was grabbed
+};
+
 struct View {
   bool welcome = true;
   Mode mode = Mode::outline;
@@ -157,7 +163,9 @@ struct View {
   Orbit orbit;
   Surface surface = Surface::textured;
   bool model_bones = false;
-  bool swapped = false;  // tablets: the model fills the canvas's place
+  std::array<bool, kModes> swapped{};  // tablets: the model is large, the drawing its inset
+  Splits splits;
+  std::set<int> missing_seen;  // drawings whose missing parts need no more words (tablets)
 
   bool playing = false, looping = true;
   int clip = 0;
@@ -173,6 +181,7 @@ struct View {
   bool help = false;
 
   void fit_again() { fit = true, fitted_frame = -1; }
+  void swap() { swapped[std::size_t(mode)] ^= true, fit_again(); }
   Layers& layer() { return layers[std::size_t(mode)]; }
   const Layers& layer() const { return layers[std::size_t(mode)]; }
   Tool& tool() { return tools[std::size_t(mode)]; }
