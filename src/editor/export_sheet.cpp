@@ -63,13 +63,23 @@ void choices(Work& work, Rect& column) {
   if (format == "GLB") {
     Rect row = column.cut_top(34);
     if (work.built->model.texture) {
-      write(row.cut_left(row.w / 2), Font::body, t.text, "Texture");
-      Look with, without;
-      with.on = wish.texture;
-      without.on = !wish.texture;
-      const int chosen =
-          segments({{"With", with}, {"Without", without}}, row.middle(row.w, 28), Font::caption);
-      if (chosen >= 0) wish.texture = chosen == 0;
+      write(row.cut_left(64), Font::body, t.text, "Texture");
+      constexpr int kSizes = 3;
+      const int side =
+          std::max(work.built->model.texture->width, work.built->model.texture->height);
+      std::vector<std::pair<std::string, Look>> choices(1);
+      choices[0].first = "None";
+      choices[0].second.on = !wish.texture;
+      for (int halvings = kSizes - 1; halvings >= 0; --halvings) {
+        auto& [label, look] = choices.emplace_back();
+        label = std::to_string(side >> halvings);
+        look.on = wish.texture && wish.halvings == halvings;
+        look.id = "Texture " + label;
+        look.hint = label + " pixels along the longer side";
+      }
+      const int chosen = segments(choices, row.middle(row.w, 28), Font::caption);
+      if (chosen >= 0) wish.texture = chosen > 0;
+      if (chosen > 0) wish.halvings = kSizes - chosen;
     }
     if (!work.built->model.clips.empty()) clip_rows(work, column);
   } else if (format == "PNG") {
@@ -146,7 +156,9 @@ void export_sheet(Work& work, const Rect& place) {
     line("Skeleton", std::to_string(model.skeleton.size()) +
                          (model.skeleton.size() == 1 ? " joint" : " joints"));
     line("Weights", "4 per vertex, sum to 1");
-    line("File", bytes_in_words(work.built->glb.size()));
+    const ExportWish& wish = work.view.wish;
+    const bool less = !wish.texture || wish.halvings > 0 || !wish.without.empty();
+    line("File", (less ? "less than " : "") + bytes_in_words(work.built->glb.size()));
   }
   Look primary;
   primary.primary = true;

@@ -11,14 +11,36 @@
 namespace artisketch {
 namespace {
 
+// Each pixel the mean of four.
+Texture halved(const Texture& from) {
+  Texture to;
+  to.width = std::max(1, from.width / 2);
+  to.height = std::max(1, from.height / 2);
+  const auto at = [&](int x, int y, int channel) {
+    const std::size_t pixel = std::size_t(std::min(y, from.height - 1)) * std::size_t(from.width) +
+                              std::size_t(std::min(x, from.width - 1));
+    return int(from.rgba[4 * pixel + std::size_t(channel)]);
+  };
+  to.rgba.reserve(4 * std::size_t(to.width) * std::size_t(to.height));
+  for (int y = 0; y < to.height; ++y)
+    for (int x = 0; x < to.width; ++x)
+      for (int c = 0; c < 4; ++c)
+        to.rgba.push_back(std::uint8_t((at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) +
+                                        at(2 * x, 2 * y + 1, c) + at(2 * x + 1, 2 * y + 1, c) + 2) /
+                                       4));
+  return to;
+}
+
 Result<std::string> as_glb(const Work& work) {
   const ExportWish& wish = work.view.wish;
-  if (wish.texture && wish.without.empty() && !work.built->clips_edited) return work.built->glb;
+  if (wish.texture && wish.halvings == 0 && wish.without.empty() && !work.built->clips_edited)
+    return work.built->glb;
   Model model = work.built->model;
   if (!wish.texture) {
     model.texture.reset();
     model.texcoords.clear();
   }
+  for (int i = 0; model.texture && i < wish.halvings; ++i) model.texture = halved(*model.texture);
   std::erase_if(model.clips, [&](const Clip& clip) { return wish.without.contains(clip.name); });
   return glb_bytes(model);
 }

@@ -124,6 +124,7 @@ struct Gesture {
 struct ExportWish {
   std::size_t format = 0;
   bool texture = true;
+  int halvings = 0;               // of the texture's sides
   bool sides = false;             // sprites all round in place of one picture
   std::set<std::string> without;  // clips that stay behind
   bool waits = false;             // for the model under way

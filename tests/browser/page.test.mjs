@@ -118,6 +118,13 @@ for (const [where, url] of [['a static server', () => site.url], ['disk', () => 
   });
 }
 
+// Width and height of the first image in a GLB.
+function pictureSize(glb) {
+  const length = glb.readUInt32LE(12), {images, bufferViews} = JSON.parse(glb.subarray(20, 20 + length));
+  const png = glb.subarray(28 + length + (bufferViews[images[0].bufferView].byteOffset ?? 0));
+  return [png.readUInt32BE(16), png.readUInt32BE(20)];
+}
+
 test('the downloaded model is valid, and the command line\'s', async (t) => {
   const editor = await open(await browser(t), site.url);
   await openHero(editor);
@@ -137,6 +144,11 @@ test('the downloaded model is valid, and the command line\'s', async (t) => {
   execFileSync(join(root, 'build', 'native', 'artisketch'), [
     'reconstruct', join(root, 'assets/examples/hero/hero.artisketch'), '-o', out, '--grid', '64', '--quiet']);
   const apart = difference(surface(bytes), surface(readFileSync(out)));
+  await editor.click('Texture 512');
+  const small = await editor.download(() => editor.click(button.label));
+  assert.equal(Math.max(...pictureSize(small.bytes)), 512);
+  assert.ok(small.bytes.length < bytes.length);
+  assert.equal((await validator.validateBytes(new Uint8Array(small.bytes))).issues.numErrors, 0);
   t.diagnostic(`the surfaces are ${apart} of the model's size apart`);
   assert.ok(apart <= 1e-4, `apart by ${apart}`);
 });
