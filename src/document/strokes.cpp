@@ -50,7 +50,8 @@ std::optional<Polyline> outline_of_stroke(std::span<const Vec2> stroke,
                              options.error),
                   raw.closed};
   if (!result.closed) return result;
-  if (result.points.size() < 3 || std::abs(signed_area(result)) < 1) return std::nullopt;
+  // The loops of an eight count against each other in its own area.
+  if (result.points.size() < 3 || std::abs(signed_area(mended(result))) < 1) return std::nullopt;
   return without_small_loops(std::move(result));
 }
 

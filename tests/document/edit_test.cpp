@@ -119,6 +119,24 @@ TEST(Strokes, AHandThatGoesPastItsBeginningLeavesNoLoop) {
   EXPECT_NEAR(std::abs(signed_area(*outline)), kPi * 50 * 50, 0.03 * kPi * 50 * 50);
 }
 
+TEST(Strokes, AnEightIsAnOutlineThatCrossesItself) {
+  // Some of these have loops that cancel out to less than a pixel.
+  for (int offset = 0; offset < 100; ++offset) {
+    std::vector<Vec2> drawn;
+    for (int i = 0; i <= 60; ++i) {
+      const double angle = i * kPi / 30;
+      const Vec2 p(60 * std::sin(2 * angle) + 0.07 * offset, 90 * std::sin(angle) + 0.03 * offset);
+      drawn.emplace_back(std::floor(0.6 * p.x()) / 0.6, std::floor(0.6 * p.y()) / 0.6);
+    }
+    StrokeOptions options;
+    options.smooth = 2 / 0.6;
+    options.error = 0.4 / 0.6;
+    const std::optional<Polyline> outline = outline_of_stroke(drawn, options);
+    ASSERT_TRUE(outline && outline->closed) << offset;
+    EXPECT_TRUE(self_crossing(*outline)) << offset;
+  }
+}
+
 TEST(Strokes, AStrokeThatEndsElsewhereStaysOpenAndKeepsItsEnds) {
   const std::vector<Vec2> drawn = {{0, 0}, {50, 3}, {100, 0}};
   const std::optional<Polyline> outline = outline_of_stroke(drawn, {});
