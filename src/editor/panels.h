@@ -72,6 +72,8 @@ bool wheel_twists(const Work& work, const OnScreen& on);
 void command_button(Work& work, Command command, const Rect& place, Look look = {});
 void command_icon(Work& work, Command command, const Rect& place, Look look = {});
 bool available(const Work& work, Command command);
+// What a command waits for, where a person may wonder; else empty.
+std::string what_it_lacks(const Work& work, Command command);
 
 // A small picture of a drawing with its outlines.
 void thumbnail(const Work& work, const Frame& frame, const Rect& place, bool outlines = true);

@@ -77,6 +77,28 @@ bool available(const Work& work, Command command) {
   }
 }
 
+std::string what_it_lacks(const Work& work, Command command) {
+  if (work.view.welcome || available(work, command)) return "";
+  const bool outlined = !drawn_joints(work.document()).empty();
+  const std::string first = work.document().frames.empty() ? "Add a drawing first."
+                            : !outlined                    ? "Outline a part first."
+                                                           : "";
+  switch (command) {
+    case Command::reconstruct:
+      return first;
+    case Command::calibrate:
+      if (work.busy()) return "";
+      return first.empty() ? "One drawing has no other to agree with: add one." : first;
+    case Command::export_model:
+      return first.empty() ? "Reconstruct makes the model to export." : first;
+    case Command::suggest:
+      if (work.view.mode != Mode::pose) return "";
+      return first.empty() ? "Outline more parts in this drawing first." : first;
+    default:
+      return "";
+  }
+}
+
 namespace {
 
 void set_mode(Work& work, Mode mode) {
@@ -194,7 +216,12 @@ void zoom_in_middle(View& view, float factor) {
 }  // namespace
 
 void perform(Work& work, Command command) {
-  if (!available(work, command)) return;
+  if (!available(work, command)) {
+    Toast toast;
+    toast.words = what_it_lacks(work, command);
+    if (!toast.words.empty()) work.say(std::move(toast));
+    return;
+  }
   View& view = work.view;
   switch (command) {
     case Command::none:

@@ -6,23 +6,29 @@
 
 namespace artisketch {
 
-void command_button(Work& work, Command command, const Rect& place, Look look) {
+namespace {
+
+Look command_look(const Work& work, Command command, Look look) {
   const CommandWords& words = words_of(command);
   look.icon = words.icon;
   if (look.hint.empty()) look.hint = words.hint ? words.hint : words.name;
+  if (const std::string lacks = what_it_lacks(work, command); !lacks.empty()) look.hint = lacks;
   look.key = key_words(words, work.platform.mac_keys());
   look.enabled = look.enabled && available(work, command);
-  if (button(words.name, place, look)) work.ask(command);
+  return look;
+}
+
+}  // namespace
+
+void command_button(Work& work, Command command, const Rect& place, Look look) {
+  if (button(words_of(command).name, place, command_look(work, command, std::move(look))))
+    work.ask(command);
 }
 
 void command_icon(Work& work, Command command, const Rect& place, Look look) {
-  const CommandWords& words = words_of(command);
-  look.icon = words.icon;
   look.quiet = true;
-  if (look.hint.empty()) look.hint = words.hint ? words.hint : words.name;
-  look.key = key_words(words, work.platform.mac_keys());
-  look.enabled = look.enabled && available(work, command);
-  if (icon_button(words.name, place, look)) work.ask(command);
+  if (icon_button(words_of(command).name, place, command_look(work, command, std::move(look))))
+    work.ask(command);
 }
 
 namespace {

@@ -303,7 +303,11 @@ struct Work {
   bool unsaved() const { return history.revision() != saved; }
   bool stale() const { return !built || !built->fresh; }
   void ask(Command command) { asked.push_back(command); }
-  void say(Toast toast) { toasts.push_back(std::move(toast)); }
+  // What was said already is said once, anew.
+  void say(Toast toast) {
+    std::erase_if(toasts, [&](const Toast& said) { return said.words == toast.words; });
+    toasts.push_back(std::move(toast));
+  }
   // The next state of the document, by its undo name.
   void commit(std::string undo_name, Document next);
   // What the pointer has begun was meant otherwise: the document is as before.

@@ -43,6 +43,26 @@ def reconstructs_and_cancels():
     window.close()
 
 
+def says_what_a_command_waits_for():
+    window = Window("1280x720", examples / "hero/front.png")
+    window.wait(lambda: window.state()["frames"] == 1, why="the drawing")
+    for key, words in [("r", "Outline a part first."), ("ctrl+e", "Outline a part first.")]:
+        window.key(key)
+        window.wait(lambda: window.state()["message"] == words, why=words)
+    window.key("d")
+    x, y = window.ask("project 0 280 330")
+    window.drag([(x + 40 * math.cos(t / 5), y + 40 * math.sin(t / 5)) for t in range(32)])
+    window.key("Return")
+    window.wait(lambda: window.state()["undo"].startswith("Draw "), why="the outline")
+    window.key("ctrl+e")
+    words = "Reconstruct makes the model to export."
+    window.wait(lambda: window.state()["message"] == words, why=words)
+    window.key("shift+c")
+    window.wait(lambda: "no other to agree with" in window.state()["message"], why="the words")
+    window.picture("lacks")
+    window.close()
+
+
 def exports_every_format():
     window = Window("1440x900", examples / "circles/circles.artisketch")
     window.click("Reconstruct")
@@ -113,5 +133,5 @@ def fits_every_screen():
         window.close()
 
 
-run(greets_with_the_hero, reconstructs_and_cancels, exports_every_format, draws_and_undoes,
-    recovers_what_was_lost, fits_every_screen)
+run(greets_with_the_hero, says_what_a_command_waits_for, reconstructs_and_cancels,
+    exports_every_format, draws_and_undoes, recovers_what_was_lost, fits_every_screen)
