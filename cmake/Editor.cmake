@@ -72,66 +72,66 @@ artisketch_embedded_font(kInterRegular "${ARTISKETCH_INTER_DIR}/Inter-Regular.ot
 artisketch_embedded_font(kInterSemiBold "${ARTISKETCH_INTER_DIR}/Inter-SemiBold.otf" "${letters}")
 
 # icons.h is the list of the icons in use.
-file(STRINGS "${PROJECT_SOURCE_DIR}/src/editor/icons.h" icons REGEX "// U\\+")
+file(STRINGS "${PROJECT_SOURCE_DIR}/src/editor/ui/icons.h" icons REGEX "// U\\+")
 list(TRANSFORM icons REPLACE ".*// (U\\+[0-9A-F]+).*" "\\1")
 list(JOIN icons "," icons)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS src/editor/icons.h)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS src/editor/ui/icons.h)
 artisketch_embedded_font(kIcons "${ARTISKETCH_ICONS_DIR}/materialdesignicons-webfont.ttf" "${icons}")
 
 # ---------------------------------------------------------------- the editor
 
 add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   # 5  editor: ImGui and GL only here
-  src/editor/theme.cpp
-  src/editor/fonts.cpp
-  src/editor/touch.cpp
-  src/editor/damage.cpp
-  src/editor/list_painter.cpp
-  src/editor/menu.cpp
-  src/editor/window.cpp
-  src/editor/ui.cpp
-  src/editor/commands.cpp
-  src/editor/drawings.cpp
-  src/editor/eye.cpp
-  src/editor/model_picture.cpp
-  src/editor/sketch_paint.cpp
-  src/editor/work.cpp
-  src/editor/files.cpp
-  src/editor/drawings_in.cpp
-  src/editor/exports.cpp
-  src/editor/perform.cpp
-  src/editor/jobs.cpp
-  src/editor/layout.cpp
-  src/editor/top_bar.cpp
-  src/editor/tool_rail.cpp
-  src/editor/canvas.cpp
-  src/editor/canvas_menu.cpp
-  src/editor/missing_card.cpp
-  src/editor/pointer.cpp
-  src/editor/tools.cpp
-  src/editor/outline_tools.cpp
-  src/editor/new_outline.cpp
-  src/editor/outline_commands.cpp
-  src/editor/outline_panel.cpp
-  src/editor/trace_tool.cpp
-  src/editor/skeleton_tools.cpp
-  src/editor/pose_insets.cpp
-  src/editor/pose_suggest.cpp
-  src/editor/live.cpp
-  src/editor/fit_paint.cpp
-  src/editor/pose_tools.cpp
-  src/editor/model_view.cpp
-  src/editor/inspector.cpp
-  src/editor/pose_panel.cpp
-  src/editor/skeleton_panel.cpp
-  src/editor/export_sheet.cpp
-  src/editor/strip.cpp
-  src/editor/timeline.cpp
-  src/editor/result_tools.cpp
-  src/editor/sheets.cpp
-  src/editor/welcome.cpp
+  src/editor/ui/theme.cpp
+  src/editor/ui/fonts.cpp
+  src/editor/ui/touch.cpp
+  src/editor/gl/damage.cpp
+  src/editor/gl/list_painter.cpp
+  src/editor/ui/menu.cpp
+  src/editor/ui/window.cpp
+  src/editor/ui/ui.cpp
+  src/editor/session/commands.cpp
+  src/editor/gl/drawings.cpp
+  src/editor/gl/eye.cpp
+  src/editor/gl/model_picture.cpp
+  src/editor/canvas/sketch_paint.cpp
+  src/editor/session/work.cpp
+  src/editor/session/files.cpp
+  src/editor/session/drawings_in.cpp
+  src/editor/modes/result/exports.cpp
+  src/editor/session/perform.cpp
+  src/editor/session/jobs.cpp
+  src/editor/shell/layout.cpp
+  src/editor/shell/top_bar.cpp
+  src/editor/shell/tool_rail.cpp
+  src/editor/canvas/canvas.cpp
+  src/editor/canvas/canvas_menu.cpp
+  src/editor/modes/outline/missing_card.cpp
+  src/editor/canvas/pointer.cpp
+  src/editor/canvas/tools.cpp
+  src/editor/modes/outline/outline_tools.cpp
+  src/editor/modes/outline/new_outline.cpp
+  src/editor/modes/outline/outline_commands.cpp
+  src/editor/modes/outline/outline_panel.cpp
+  src/editor/modes/outline/trace_tool.cpp
+  src/editor/modes/skeleton/skeleton_tools.cpp
+  src/editor/modes/pose/pose_insets.cpp
+  src/editor/modes/pose/pose_suggest.cpp
+  src/editor/session/live.cpp
+  src/editor/modes/pose/fit_paint.cpp
+  src/editor/modes/pose/pose_tools.cpp
+  src/editor/modes/result/model_view.cpp
+  src/editor/shell/inspector.cpp
+  src/editor/modes/pose/pose_panel.cpp
+  src/editor/modes/skeleton/skeleton_panel.cpp
+  src/editor/modes/result/export_sheet.cpp
+  src/editor/shell/strip.cpp
+  src/editor/modes/result/timeline.cpp
+  src/editor/modes/result/result_tools.cpp
+  src/editor/shell/sheets.cpp
+  src/editor/shell/welcome.cpp
   src/editor/editor.cpp
-  src/editor/answers.cpp
+  src/editor/ui/answers.cpp
   "${embedded}/kInterRegular.cpp"
   "${embedded}/kInterSemiBold.cpp"
   "${embedded}/kIcons.cpp"

@@ -27,11 +27,11 @@ set(edits edit animate correspondence cut history mend skeleton_edit sprite_shee
   templates)
 list(TRANSFORM edits PREPEND src/document/)
 list(TRANSFORM edits APPEND .cpp)
-set_source_files_properties(${files} ${edits} src/model/calibration_words.cpp src/app/cli.cpp
+set_source_files_properties(${files} ${edits} src/model/calibrate/calibration_words.cpp src/app/cli.cpp
   src/app/job_bytes.cpp web/page_main.cpp web/browser.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 
 # What goes over all that is drawn, and over all of a model.
-set_source_files_properties(src/editor/damage.cpp src/editor/model_picture.cpp
+set_source_files_properties(src/editor/gl/damage.cpp src/editor/gl/model_picture.cpp
   PROPERTIES COMPILE_OPTIONS -O2)
 
 artisketch_web_module(editor createEditor web web/page_main.cpp web/browser.cpp)

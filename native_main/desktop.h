@@ -7,7 +7,7 @@
 #include <mutex>
 #include <thread>
 
-#include "editor/platform.h"
+#include "editor/session/platform.h"
 
 struct SDL_Window;
 

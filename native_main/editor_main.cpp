@@ -7,7 +7,7 @@
 #include "app/job_thread.h"
 #include "desktop.h"
 #include "editor/editor.h"
-#include "editor/window.h"
+#include "editor/ui/window.h"
 #include "script.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <thread>
 
-#include "editor/answers.h"
+#include "editor/ui/answers.h"
 
 namespace artisketch {
 namespace {

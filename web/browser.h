@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "editor/platform.h"
+#include "editor/session/platform.h"
 
 namespace artisketch {
 

@@ -12,8 +12,8 @@
 
 #include "app/job_worker.h"
 #include "browser.h"
-#include "editor/answers.h"
-#include "editor/window.h"
+#include "editor/ui/answers.h"
+#include "editor/ui/window.h"
 
 // clang-format off
 EM_JS(void, host_post, (const char* bytes, std::size_t size), {

@@ -20,7 +20,7 @@
 #include "files/mesh_file.h"
 #include "files/preview.h"
 #include "files/report_file.h"
-#include "model/retarget.h"
+#include "model/rig/retarget.h"
 #include "model/stages.h"
 
 namespace artisketch {

@@ -8,7 +8,7 @@
 #include "files/gltf.h"
 #include "files/image_file.h"
 #include "files/report_file.h"
-#include "model/thinned.h"
+#include "model/consolidate/thinned.h"
 
 namespace artisketch {
 namespace {

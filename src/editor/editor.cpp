@@ -6,9 +6,9 @@
 
 #include <imgui.h>
 
-#include "editor/actions.h"
-#include "editor/live.h"
-#include "editor/panels.h"
+#include "editor/session/actions.h"
+#include "editor/session/live.h"
+#include "editor/shell/panels.h"
 
 namespace artisketch {
 

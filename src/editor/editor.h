@@ -9,8 +9,8 @@
 
 #include "base/result.h"
 #include "base/types.h"
-#include "editor/platform.h"
-#include "editor/touch.h"
+#include "editor/session/platform.h"
+#include "editor/ui/touch.h"
 
 namespace artisketch {
 

@@ -1,10 +1,10 @@
 // The whole of it, as the paper's section 1.3 tells it: calibrate the poses, reconstruct every
 // part, make them one skin, bind that to the skeleton.
 #include "base/blocking.h"
-#include "model/mirror.h"
-#include "model/snap_rims.h"
+#include "model/rig/snap_rims.h"
 #include "model/stage_clock.h"
 #include "model/stages.h"
+#include "model/surface/mirror.h"
 
 namespace artisketch {
 namespace {

@@ -9,8 +9,8 @@
 #include <benchmark/benchmark.h>
 
 #include "files/document_file.h"
-#include "model/bending.h"
-#include "model/heat.h"
+#include "model/rig/heat.h"
+#include "model/surface/bending.h"
 
 namespace artisketch {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/mirror.h"
+#include "model/surface/mirror.h"
 
 namespace artisketch {
 namespace {

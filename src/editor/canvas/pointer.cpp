@@ -1,0 +1,108 @@
+#include "editor/canvas/pointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "document/edit.h"
+
+namespace artisketch {
+
+Pointer pointer_on(const Rect& place, const OnScreen& on) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Press press = press_area("Sketch", place);
+  Pointer p;
+  p.screen = io.MousePos;
+  p.at = on.back(io.MousePos);
+  p.hovered = press.hovered;
+  p.held = press.held;
+  p.pressed = ImGui::IsItemActivated();
+  p.released = ImGui::IsItemDeactivated();
+  p.dragging = item_dragged();
+  p.moved = pointer_moved();
+  p.double_clicked = press.double_clicked;
+  p.alt = io.KeyAlt;
+  return p;
+}
+
+float apart(ImVec2 a, ImVec2 b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+bool pointer_dragged() {
+  if (!pointer_holds()) return false;
+  const ImGuiIO& io = ImGui::GetIO();
+  const float way = apart(io.MousePos, io.MouseClickedPos[ImGuiMouseButton_Left]);
+  return std::max(way * way, io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left]) >=
+         io.MouseDragThreshold * io.MouseDragThreshold;
+}
+
+bool pointer_holds() {
+  return ImGui::IsMouseDown(ImGuiMouseButton_Left) || ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+}
+
+bool pointer_moved() {
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  return delta.x != 0 || delta.y != 0;
+}
+
+bool item_dragged() {
+  return (ImGui::IsItemActive() || ImGui::IsItemDeactivated()) && pointer_dragged();
+}
+
+std::string part_words(const Work& work, int joint) {
+  return joint_words(work.document().skeleton.joints[std::size_t(joint)].name).whole();
+}
+
+OnLine nearest_on(const Polyline& line, const OnScreen& on, ImVec2 p) {
+  OnLine best;
+  for (std::size_t s = 0; s < line.segments(); ++s) {
+    const ImVec2 a = on.of(line.points[s]), b = on.of(line.end_of(s));
+    const float dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+    const float t =
+        square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0f, 1.0f) : 0;
+    const float distance = apart(p, {a.x + t * dx, a.y + t * dy});
+    if (distance < best.distance) best = {distance, s};
+  }
+  return best;
+}
+
+int contour_at(const Work& work, const OnScreen& on, ImVec2 p) {
+  int best = -1;
+  float nearest = kReach;
+  const std::vector<Contour>& contours = work.frame().contours;
+  for (int i = 0; i < int(contours.size()); ++i) {
+    const float distance = nearest_on(contours[std::size_t(i)].line, on, p).distance;
+    if (distance <= nearest) nearest = distance, best = i;
+  }
+  if (best >= 0) return best;
+  // Within several, the smallest.
+  const Vec2 at = on.back(p);
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < int(contours.size()); ++i) {
+    const Polyline& line = contours[std::size_t(i)].line;
+    const double area = line.closed ? std::abs(signed_area(line)) : least;
+    if (area < least && contains(line, at)) least = area, best = i;
+  }
+  return best;
+}
+
+int joint_at(const std::vector<Transform>& posed, const FrameCamera& camera, const OnScreen& on,
+             ImVec2 p, float reach) {
+  int best = -1;
+  float nearest = reach;
+  for (int j = 0; j < int(posed.size()); ++j) {
+    const float distance = apart(on.of(camera.project(posed[std::size_t(j)].translation())), p);
+    if (distance < nearest) nearest = distance, best = j;
+  }
+  return best;
+}
+
+void take_joint(Work& work, const Pointer& p, const std::vector<Transform>& posed,
+                const FrameCamera& camera, const OnScreen& on) {
+  if (!p.pressed) return;
+  work.gesture = {};
+  work.view.joint = work.gesture.joint = joint_at(posed, camera, on, p.screen);
+}
+
+}  // namespace artisketch

@@ -1,0 +1,208 @@
+#include "editor/session/live.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "document/edit.h"
+#include "editor/shell/panels.h"
+#include "files/document_file.h"
+#include "model/part_inputs.h"
+
+namespace artisketch {
+namespace {
+
+constexpr int kGrid = 48;  // cells: coarse enough for a picture while the pointer moves
+
+// The parts side by side, every vertex moved by its part's joint.
+Model rigid_model(const Document& document, const std::vector<LivePart>& parts) {
+  Model model;
+  model.name = document.name;
+  model.skeleton = document.skeleton;
+  model.clips = clips_of(document);
+  Eigen::Index vertices = 0, faces = 0;
+  for (const LivePart& part : parts) {
+    vertices += part.made->mesh.V.rows();
+    faces += part.made->mesh.F.rows();
+  }
+  model.mesh.V.resize(vertices, 3);
+  model.mesh.F.resize(faces, 3);
+  model.weights.joints.setZero(vertices, 4);
+  model.weights.weights.setZero(vertices, 4);
+  Eigen::Index v = 0, f = 0;
+  for (const LivePart& part : parts) {
+    const Mesh& mesh = part.made->mesh;
+    model.mesh.V.middleRows(v, mesh.V.rows()) = mesh.V;
+    model.mesh.F.middleRows(f, mesh.F.rows()) = mesh.F.array() + int(v);
+    model.weights.joints.col(0).segment(v, mesh.V.rows()).setConstant(part.made->joint);
+    model.weights.weights.col(0).segment(v, mesh.V.rows()).setOnes();
+    v += mesh.V.rows();
+    f += mesh.F.rows();
+  }
+  return model;
+}
+
+// By drawing, from what each part says of its own.
+std::vector<FrameFit> fits_of(const Document& document, const std::vector<LivePart>& parts) {
+  std::vector<FrameFit> fits(document.frames.size());
+  for (const LivePart& part : parts)
+    for (std::size_t v = 0; v < part.made->distances.size(); ++v) {
+      const std::size_t frame = std::size_t(part.made->frames[v]);
+      if (frame < fits.size() && std::isfinite(part.made->distances[v]))
+        fits[frame].parts.push_back({part.made->joint, part.made->distances[v]});
+    }
+  return fits;
+}
+
+// All parts that there are, as they come, until the person looks closer.
+void keep_in_view(Work& work, const Model& model) {
+  Orbit& orbit = work.view.orbit;
+  std::optional<Orbit>& framed = work.live.framed;
+  if (framed && (orbit.distance != framed->distance || orbit.target != framed->target)) return;
+  const Orbit before = orbit;
+  look_at(work, model);
+  if (framed) orbit.yaw = before.yaw, orbit.pitch = before.pitch;
+  framed = orbit;
+}
+
+// What the parts are wanted of.
+Document wanted(const Work& work) {
+  return work.live.at_built_poses ? with_poses_of(work.document(), work.built->document)
+                                  : work.document();
+}
+
+void take_proposals(Work& work) {
+  if (!work.proposal || work.proposal->revision != work.running_revision) return;
+  Proposal& proposal = *work.proposal;
+  proposal.parts = std::move(work.live.awaited);
+  proposal.fits = fits_of(proposal.document, proposal.parts);
+  if (!proposal.parts.empty())
+    proposal.model = std::make_shared<Built>(
+        built_of(rigid_model(proposal.document, proposal.parts), proposal.document));
+  work.live.marks_stale = true;
+}
+
+// What was awaited is there.
+void take_awaited(Work& work) {
+  Live& live = work.live;
+  if (live.of_proposal) return take_proposals(work);
+  live.revision = work.running_revision;
+  const bool more = live.awaited.size() != live.parts.size();
+  live.parts = std::move(live.awaited);
+  live.marks_stale = true;
+  const Document document = wanted(work);
+  live.fits = fits_of(document, live.parts);
+  live.model.reset();
+  if (live.parts.empty() || live.parts.back().made->joint >= document.skeleton.size()) return;
+  live.model = std::make_shared<Built>(built_of(rigid_model(document, live.parts), document));
+  if (more && !work.built) keep_in_view(work, live.model->model);
+}
+
+// Has those parts made that are not there yet, at a document's poses.
+void ask_for_parts(Work& work, const Document& document, bool of_proposal) {
+  Live& live = work.live;
+  JobRequest request;
+  request.kind = JobRequest::Kind::parts;
+  request.options.grid = kGrid;
+  const SurfaceOptions options{request.options.method, kGrid, false};
+  live.of_proposal = of_proposal;
+  live.awaited.clear();
+  for (Part& part : parts_of(document)) {
+    LivePart wanted{surface_inputs(part, options), nullptr};
+    const auto same = [&](const LivePart& have) { return have.inputs == wanted.inputs; };
+    for (const std::vector<LivePart>* parts : {&live.parts, &live.others})
+      if (const auto have = std::find_if(parts->begin(), parts->end(), same); have != parts->end())
+        wanted.made = have->made;
+    if (!wanted.made) request.parts.push_back(std::move(part));
+    live.awaited.push_back(std::move(wanted));
+  }
+  work.running = request.kind;
+  work.running_revision = work.history.revision();
+  if (request.parts.empty()) return take_awaited(work);
+  work.jobs.start(std::move(request));
+}
+
+// An example's model comes without the spheres that joined its parts.
+void ask_for_spheres(Work& work) {
+  if (!work.built || !work.built->spheres.empty() || work.built->spheres_sought) return;
+  work.built->spheres_sought = true;
+  JobRequest request;
+  request.kind = JobRequest::Kind::spheres;
+  request.document = document_text(work.built->document);
+  request.options.grid = kGrid;
+  work.running = request.kind;
+  work.jobs.start(std::move(request));
+}
+
+}  // namespace
+
+void keep_live(Work& work) {
+  Live& live = work.live;
+  const long revision = work.history.revision();
+  if (work.jobs.busy() || work.view.welcome) return;
+  const bool fatness =
+      work.built && work.view.mode == Mode::result && work.view.tool() == Tool::fatness;
+  if (const bool at_built_poses = fatness || work.as_built();
+      live.at_built_poses != at_built_poses) {
+    live.at_built_poses = at_built_poses;
+    std::swap(live.parts, live.others);
+    live.revision = -1;
+  }
+  if (live.revision != revision) {
+    if (drawn_joints(work.document()).empty())
+      live = Live();
+    else
+      ask_for_parts(work, wanted(work), false);
+  } else if (work.proposal && work.proposal->fits.empty()) {
+    ask_for_parts(work, work.proposal->document, true);
+  } else if (work.view.mode == Mode::result && work.view.tool() == Tool::joints) {
+    ask_for_spheres(work);
+  }
+}
+
+void take_parts(Work& work, Result<JobResult> outcome) {
+  Live& live = work.live;
+  if (!outcome) {
+    // Whatever it is, the next edit tries again; a whole model tells what is wrong.
+    if (outcome.error().kind != Error::Kind::cancelled) live.revision = work.running_revision;
+    return;
+  }
+  if (live.awaited.empty()) return;  // they were let go of meanwhile
+  // In the order of what was asked for; what has no surface has no triangles.
+  auto made = outcome->parts.begin();
+  for (LivePart& part : live.awaited)
+    if (!part.made && made != outcome->parts.end())
+      part.made = std::make_shared<const PartMesh>(std::move(*made++));
+  take_awaited(work);
+}
+
+const std::vector<PartMarks>& marks_of_drawing(Work& work) {
+  Live& live = work.live;
+  // A model shows whether it fits at its own poses; bones are drawn at the person's.
+  const Document& posed = work.as_built() ? work.built->document : work.document();
+  const Pose pose =
+      work.as_built() ? posed.frames[std::size_t(work.view.frame)].pose : work.drawn_pose();
+  const long revision = work.history.revision();
+  const bool theirs = work.proposal && work.proposal->theirs();
+  if (!live.marks_stale && live.marks_theirs == theirs && live.marks_revision == revision &&
+      live.marks_frame == work.view.frame && same_pose(live.marks_pose, pose))
+    return live.marks;
+  live.marks_stale = false;
+  live.marks_revision = revision;
+  live.marks_frame = work.view.frame;
+  live.marks_theirs = theirs;
+  live.marks_pose = pose;
+  live.marks.clear();
+  const std::vector<Transform> motions = skinning_transforms(work.document().skeleton, pose);
+  const FrameCamera camera = frame_camera(posed, work.view.frame);
+  for (const LivePart& part : theirs ? work.proposal->parts : live.parts) {
+    const int joint = part.made->joint;
+    if (joint >= int(motions.size()) || fit_of(work, joint, work.view.frame) == Fit::inside)
+      continue;
+    FitMarks marks =
+        fit_marks(part.made->mesh, motions[std::size_t(joint)], camera, work.frame(), joint, kOff);
+    if (!marks.edge.empty()) live.marks.push_back({joint, std::move(marks)});
+  }
+  return live.marks;
+}
+
+}  // namespace artisketch

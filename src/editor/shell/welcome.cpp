@@ -1,0 +1,205 @@
+// The first screen: the hero moves, its drawings light up in step; how it is done; what to open.
+#include <cmath>
+
+#include "document/edit.h"
+#include "editor/session/actions.h"
+#include "editor/shell/panels.h"
+
+namespace artisketch {
+namespace {
+
+void drawings_beside(Work& work, Rect column) {
+  const Theme& t = theme();
+  const int frames = int(work.document().frames.size());
+  const double duration = 1;  // seconds per key of the clip
+  const float size = std::min(132.0f, (column.h + 12) / float(std::max(1, frames)) - 12);
+  const int lit = int(std::lround(work.view.time / duration));
+  for (int f = 0; f < frames; ++f) {
+    const Frame& frame = work.document().frames[std::size_t(f)];
+    const Rect card = Rect{column.x, column.y, size, size};
+    column.cut_top(size + 12);
+    thumbnail(work, frame, card);
+    draw().AddRect(card.min(), card.max(), f == lit ? t.accent : t.line, kRadius, 0,
+                   f == lit ? 2.5f : 1.0f);
+    const std::string name = drawing_words(work.document(), f);
+    const Rect label{card.x + 6, card.bottom() - 20, card.w - 9, 16};
+    draw().AddRectFilled(  // legible over feet
+        {label.x - 3, label.y},
+        {label.x + std::min(label.w, text_width(Font::small, name)) + 3, label.bottom()},
+        faded(t.paper_tint, 0.75f), kRadiusSmall);
+    write(label, Font::small, rgb(0x1C2025), name);
+  }
+}
+
+void step_card(Work& work, const Rect& card, int number, const char* title, const char* words) {
+  const Theme& t = theme();
+  draw().AddRectFilled(card.min(), card.max(), t.control, kRadiusCard);
+  const Rect picture = Rect{card.x + 8, card.y + 8, card.h - 16, card.h - 16};
+  if (work.has_frame()) {
+    const Frame& frame = work.document().frames[0];
+    thumbnail(work, frame, picture, number == 2);
+    if (number == 3) {
+      const float zoom = std::min(picture.w / float(frame.width), picture.h / float(frame.height));
+      const OnScreen on{{picture.x + (picture.w - zoom * float(frame.width)) / 2, picture.y}, zoom};
+      paint_bones(draw(), work.document().skeleton, frame.pose, frame_camera(work.document(), 0),
+                  on, {});
+    }
+  }
+  Rect text = card.inset(0, 14);
+  text.cut_left(card.h + 4);
+  text.cut_right(12);
+  Rect head = text.cut_top(24);
+  draw().AddCircleFilled({head.x + 10, head.centre().y}, 10, t.accent);
+  write(head.cut_left(20), Font::caption_bold, t.on_accent, std::to_string(number), Align::centre);
+  head.cut_left(8);
+  write(head, Font::body_bold, t.text, title);
+  text.cut_top(4);
+  write_lines(text, Font::caption, t.muted, words, 19);
+}
+
+void how_it_is_done(Work& work, Rect column) {
+  const Theme& t = theme();
+  column = column.inset(30, 24);
+  column.cut_top(8);
+  const bool low = column.h < 720;
+  write(column.cut_top(32), Font::headline, t.text, "Draw it from a few sides.");
+  write(column.cut_top(32), Font::headline, t.text, "Get it in 3D, ready to move.");
+  column.cut_top(low ? 12 : 20);
+  const float high = low ? 92 : 114;
+  step_card(work, column.cut_top(high), 1, "Drop two to four drawings",
+            "Any pose, any side. Sprites and scans work; so does blank paper.");
+  column.cut_top(12);
+  step_card(work, column.cut_top(high), 2, "Outline each part",
+            "One colour per part. Trace finds the edge; Cut splits an arm at the elbow.");
+  column.cut_top(12);
+  step_card(work, column.cut_top(high), 3, "Pose the skeleton",
+            "Drag joints until they match. Calibrate does the last bit; the model appears.");
+  column.cut_top(low ? 12 : 18);
+  const Rect drop = column.cut_top(low ? 92 : 110);
+  draw().AddRectFilled(drop.min(), drop.max(), t.selection, kRadiusCard);
+  dashed_frame(drop, kRadiusCard, t.accent);
+  Rect inside = drop.inset(12, low ? 6 : 12);
+  write_icon(inside.cut_top(22).centre(), IconSize::large, t.accent, icon::kImageMultiple);
+  write(inside.cut_top(26), Font::body_bold, t.text, "Drop drawings anywhere", Align::centre);
+  Look choose;
+  choose.primary = true;
+  choose.icon = icon::kFolderImage;
+  if (button("Choose files", inside.middle(148, 34), choose)) work.ask(Command::add_drawings);
+  column.cut_top(14);
+  Rect row = column.cut_top(38);
+  const float half = (row.w - 12) / 2;
+  command_button(work, Command::blank_drawing, row.cut_left(half));
+  Look open;
+  open.icon = icon::kFolderOutline;
+  if (button("Open document", row.cut_right(half), open)) work.ask(Command::open);
+  if (column.h < 30) return;
+  Rect foot = column.cut_bottom(24);
+  write_icon({foot.x + 8, foot.centre().y}, IconSize::small, t.muted, icon::kLockOutline);
+  foot.cut_left(22);
+  write(foot, Font::caption, t.muted, "Works offline. Your drawings never leave this computer.");
+}
+
+// Asked for once, and there when it came.
+const Drawing* example_picture(Work& work, const std::string& name) {
+  if (const auto known = work.example_pictures.find(name); known != work.example_pictures.end())
+    return work.drawings.at(known->second);
+  work.example_pictures[name] = "";
+  work.platform.load_example_picture(name, [&work, name](std::string png) {
+    const Result<std::string> key = work.drawings.add(std::move(png), name);
+    if (key) work.example_pictures[name] = *key;
+  });
+  return nullptr;
+}
+
+void gallery(Work& work, const Rect& place) {
+  const Theme& t = theme();
+  Rect column = place.inset(24, 12);
+  Rect head = column.cut_top(22);
+  write(head.cut_left(72), Font::body_bold, t.text, "Examples");
+  write(head, Font::caption, t.muted, "open one and change anything");
+  column.cut_top(6);
+  const std::vector<ExampleCard>& examples = work.examples;
+  if (examples.empty()) return;
+  const float width = std::min(178.0f, (column.w + 12) / float(examples.size()) - 12);
+  for (std::size_t i = 0; i < examples.size(); ++i) {
+    Rect card = column.cut_left(width);
+    column.cut_left(12);
+    const std::string name = capitalised(examples[i].name);
+    const bool on = i == 0;
+    const Press press = press_area("Example " + name, card);
+    draw().AddRectFilled(card.min(), card.max(), press.hovered ? t.hover : t.control, kRadiusCard);
+    if (on) draw().AddRect(card.min(), card.max(), t.accent, kRadiusCard, 0, 1.5f);
+    if (press.clicked) return open_example(work, examples[i].name, false);
+    card = card.inset(6, 4);
+    const Rect picture = card.cut_left(std::min(card.h, card.w / 2));
+    const Drawing* model = example_picture(work, examples[i].name);
+    if (model) {
+      const float scale =
+          std::min(picture.w / float(model->image.width), picture.h / float(model->image.height));
+      show_picture(
+          model->texture,
+          picture.middle(scale * float(model->image.width), scale * float(model->image.height)), 1);
+    } else {
+      write_icon(picture.centre(), IconSize::large, on ? t.accent : t.muted, icon::kWalk);
+    }
+    card.cut_left(8);
+    const int count = examples[i].drawings;
+    const Rect words = card.middle(card.w, 40);
+    write(Rect(words).cut_top(20), Font::body_bold, t.text, name);
+    write(Rect(words).cut_bottom(20), Font::caption, t.muted,
+          count == 1 ? "one drawing" : std::to_string(count) + " drawings");
+  }
+}
+
+}  // namespace
+
+void welcome(Work& work, const Layout& layout, float pixel_ratio) {
+  const Theme& t = theme();
+  Rect all{0, layout.top.bottom(), layout.top.w,
+           (layout.tablet ? layout.strip.bottom() : layout.status.y) - layout.top.bottom()};
+  if (layout.tablet) all.cut_top(layout.modes.h);
+  Rect steps = layout.tablet ? all.cut_bottom(std::min(616.0f, all.h * 0.6f))
+                             : all.cut_right(layout.compact ? 400 : 448);
+  const Rect examples = all.cut_bottom(layout.compact || layout.tablet ? 100 : 168);
+  {
+    const Panel panel("Hero", all, t.canvas);
+    const ImU32 top = t.dark ? rgb(0x23262C) : rgb(0xEDEFF2);
+    draw().AddRectFilledMultiColor(all.min(), all.max(), top, top, t.canvas, t.canvas);
+    if (work.built) {
+      Rect stage = all;
+      if (layout.tablet) stage.cut_top(44);  // below its name
+      const Eye eye = orbit_eye(work.view.orbit, stage);
+      work.built->picture->pose(work.shown_pose(), work.shown_footing());
+      PaintOptions options;
+      options.ground = true;
+      options.dark = t.dark;
+      show_model(*work.built, eye, options, work.model_seen, 1, pixel_ratio);
+      const Press press = press_area("Turn the model", stage);
+      if (press.held) {
+        work.view.orbit.yaw -= 0.01 * ImGui::GetIO().MouseDelta.x;
+        work.view.orbit.pitch =
+            std::clamp(work.view.orbit.pitch + 0.01 * ImGui::GetIO().MouseDelta.y, -1.5, 1.5);
+      }
+      Rect head = all.inset(24, 0).cut_top(60);
+      const std::string name = capitalised(work.document().name);
+      write(head.cut_left(text_width(Font::title, name) + 10), Font::title, t.text, name);
+      const int count = int(work.document().frames.size());
+      const char* numbers[] = {"no", "one drawing", "two drawings", "three drawings",
+                               "four drawings"};
+      write(head, Font::caption, t.muted,
+            std::string("made from these ") + (count < 5 ? numbers[count] : "drawings") +
+                ". Drag to turn it, Space stops it.");
+      drawings_beside(work, Rect{all.x + 24, all.y + 60, 132, all.h - 72});
+    }
+  }
+  {
+    const Panel panel("Examples", examples, t.panel);
+    hairline({examples.x, examples.y}, {examples.right(), examples.y + 1});
+    gallery(work, examples);
+  }
+  const Panel panel("Steps", steps, t.panel);
+  hairline({steps.x, steps.y}, {steps.x + 1, steps.bottom()});
+  how_it_is_done(work, steps);
+}
+
+}  // namespace artisketch

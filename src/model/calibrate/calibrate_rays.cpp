@@ -1,0 +1,353 @@
+// Calibration without voxels: how far contour rays miss the parts' hulls, by Levenberg–Marquardt
+// over all joints and frames at once, with a prior that pulls to the user's poses.
+//
+// Silhouettes leave much open (the twist of a limb, the depth at which a part sits on its bone),
+// and drawings disagree with themselves. So
+// - the prior is as wide as the silhouettes say that the poses are off: poses that are right
+//   already stay;
+// - landmarks about the middles of bones say, weakly, what silhouettes leave open;
+// - Geman–McClure kernels, narrowed step by step, let contours that contradict all others go;
+// - of several starts the one that ends with least energy is taken;
+// - joints whose parts still miss are turned out of that minimum, one at a time with all that hangs
+//   on them, or their limbs begun anew, and let fall into a better one;
+// - the rays' noise is measured on what is left, and the end refined with it.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/trigonometry.h"
+#include "model/calibrate/calibration_words.h"
+#include "model/calibrate/pose_solver.h"
+
+namespace artisketch {
+namespace {
+
+constexpr double kRayStep = 3;             // units of the drawing between rays
+constexpr int kMostRays = 32;              // of one contour
+constexpr int kIterations = 30;            // of one stage, at most
+constexpr double kWide = 12, kNarrow = 4;  // pixels: where the kernels let go
+constexpr double kNoise = 10;  // pixels²: what the stages take a ray's error for at first
+constexpr double kLeastNoise = 0.1, kMostNoise = 40;
+constexpr double kNoisePerMean = 200;  // the noise that the mean robust error at the end speaks for
+constexpr int kRefinements = 4;        // with the noise measured
+constexpr double kPriorShare = 0.27;  // of the limits: the prior's standard deviation at its widest
+constexpr double kPriorScale = 0.05;  // standard deviation of a frame's log scale
+
+constexpr LandmarkLoss kLead{10, 0};  // landmarks that lead a start
+constexpr PoseEnergy kPlain{kNoise, 0}, kWideKernel{kNoise, kWide}, kNarrowKernel{kNoise, kNarrow};
+
+// A frame moves if it can be compared in at least this share of the parts that others can be.
+constexpr double kEnoughParts = 0.25;
+
+// Turns out of a minimum: so far about each axis, for at most so many parts in their frames, those
+// that miss by so many times what most do.
+constexpr double kOutstanding = 5;
+constexpr double kTurn = radians(25);
+constexpr int kMostTurned = 12;
+constexpr int kTurnIterations = 12;
+
+constexpr int kHoldIterations = 10;
+constexpr std::size_t kMostHeld = 24;  // joints without contours, looked at one by one
+
+// ---------------------------------------------------------------- what may move
+
+// Frames that show too few of the parts that others show keep the user's poses.
+std::vector<char> frames_that_move(const Document& document,
+                                   const std::vector<std::vector<char>>& shared,
+                                   std::vector<std::string>& warnings) {
+  std::vector<int> parts;
+  for (const std::vector<char>& frame : shared)
+    parts.push_back(int(std::count(frame.begin(), frame.end(), 1)));
+  const int most = *std::max_element(parts.begin(), parts.end());
+  std::vector<char> moves;
+  for (int f = 0; f < int(parts.size()); ++f) {
+    const bool enough = parts[f] > 0 && parts[f] >= kEnoughParts * most;
+    moves.push_back(enough && (f > 0 || document.calibration.free_first_frame));
+    if (!enough)
+      warnings.push_back(frame_words(document, f) + ": just " + std::to_string(parts[f]) +
+                         " of its parts can be compared with other frames: its pose stays as " +
+                         "given");
+  }
+  return moves;
+}
+
+// Joints may turn where contours that can be compared hang on them.
+PoseFreedom freedom_of(const Document& document, std::vector<std::string>& warnings) {
+  const PoseLimits limits = pose_limits(document);
+  const auto shared = shared_contours(document);
+  PoseFreedom freedom;
+  freedom.max_rotation = limits.max_rotation;
+  freedom.max_translation = limits.max_translation;
+  freedom.scale = document.calibration.scale;
+  freedom.frame = frames_that_move(document, shared, warnings);
+  const int joints = document.skeleton.size();
+  for (std::size_t f = 0; f < document.frames.size(); ++f) {
+    freedom.joint.emplace_back(joints, 0);
+    for (int j = joints - 1; j >= 0; --j)
+      if (freedom.frame[f] && shared[f][j])
+        for (int a = j; a >= 0; a = document.skeleton.joints[a].parent) freedom.joint[f][a] = 1;
+    for (const int j : document.calibration.locked) freedom.joint[f][j] = 0;
+  }
+  return freedom;
+}
+
+// ---------------------------------------------------------------- starts
+
+// The best of three starts: the user's poses by narrowing kernels, the landmarks' poses likewise,
+// and the user's poses with the narrow kernel at once.
+SolvedPoses best_of_starts(PoseSolver& solver, const PoseChange& user) {
+  const auto narrowed = [&](PoseChange start) {
+    SolvedPoses s = solver.minimise(std::move(start), kPlain, kIterations);
+    s = solver.minimise(std::move(s.change), kWideKernel, kIterations);
+    return solver.minimise(std::move(s.change), kNarrowKernel, kIterations);
+  };
+  const PoseEnergy landmarks{0, 0, kLead};
+  const SolvedPoses starts[] = {narrowed(user),
+                                narrowed(solver.minimise(user, landmarks, kIterations).change),
+                                solver.minimise(user, kNarrowKernel, kIterations)};
+  return *std::min_element(
+      std::begin(starts), std::end(starts),
+      [](const SolvedPoses& a, const SolvedPoses& b) { return a.energy < b.energy; });
+}
+
+// ---------------------------------------------------------------- turns out of minima
+
+struct Missed {
+  int joint = 0, frame = 0;
+  double energy = 0;  // robust, of the part's rays from that frame
+};
+
+// Parts in frames that may move whose rays miss by much more than most parts' do, and by more than
+// a drawing's noise; the worst first.
+std::vector<Missed> missed(const RayResiduals& residuals, const Placement& placement,
+                           const PoseFreedom& freedom) {
+  std::vector<Missed> all;
+  std::vector<double> energies;
+  const double c2 = kNarrow * kNarrow * residuals.unit() * residuals.unit();
+  for (const RayResiduals::Part& part : residuals.parts()) {
+    const auto misses = residuals.misses(part, placement);
+    for (std::size_t v = 0; v < misses.size(); ++v) {
+      Missed one{part.joint, part.views[v].frame, 0};
+      for (const double e : misses[v]) one.energy += part.views[v].weight * e * c2 / (c2 + e);
+      energies.push_back(one.energy);
+      if (freedom.joint[one.frame][one.joint]) all.push_back(one);
+    }
+  }
+  if (energies.empty()) return all;
+  const auto middle = energies.begin() + std::ptrdiff_t(energies.size() / 2);
+  std::nth_element(energies.begin(), middle, energies.end());
+  const double much = std::max(kNoise, kOutstanding * *middle);
+  all.erase(
+      std::remove_if(all.begin(), all.end(), [&](const Missed& one) { return one.energy <= much; }),
+      all.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Missed& a, const Missed& b) { return a.energy > b.energy; });
+  return all;
+}
+
+// The rotation vector of one rotation after another, cut to the limit.
+Vec3 composed(const Vec3& first, const Vec3& then, double limit) {
+  Quat q = rotation_by(first) * rotation_by(then);
+  if (q.w() < 0) q.coeffs() = -q.coeffs();
+  const double half_sine = q.vec().norm();
+  if (half_sine < 1e-12) return Vec3::Zero();
+  return q.vec() / half_sine * std::min(2 * arctangent(half_sine, q.w()), limit);
+}
+
+// Rotations of a joint in one frame that may lead to another minimum: about its bone, toward and
+// away from the camera, in the picture, the bone mirrored in depth (which an orthographic camera
+// can hardly tell), and the user's.
+std::vector<Vec3> turned(const Vec3& now, const Mat3& axes, const Vec3& bone, double limit) {
+  const Vec3 view = axes.transpose() * Vec3::UnitZ();
+  const Vec3 along = bone.isZero(0) ? view.unitOrthogonal() : bone.normalized();
+  const Vec3 across =
+      along.cross(view).norm() > 1e-3 ? along.cross(view).normalized() : along.unitOrthogonal();
+  const double depth = arctangent(along.dot(view), along.cross(view).norm());
+  std::vector<Vec3> all = {Vec3::Zero(), composed(now, -2 * depth * across, limit)};
+  for (const Vec3& axis : {along, across, Vec3(along.cross(across))})
+    for (const double angle : {kTurn, -kTurn}) all.push_back(composed(now, angle * axis, limit));
+  return all;
+}
+
+// Joints from one on outward.
+std::vector<char> outward_of(const Skeleton& skeleton, int joint) {
+  std::vector<char> outward(skeleton.size(), 0);
+  for (int j = joint; j < skeleton.size(); ++j)
+    outward[j] =
+        j == joint || (skeleton.joints[j].parent >= 0 && outward[skeleton.joints[j].parent]);
+  return outward;
+}
+
+// The joint that the limb of a joint begins with: below the last fork.
+int start_of_limb(const Skeleton& skeleton, int joint) {
+  for (int up = skeleton.joints[joint].parent; up > 0 && skeleton.children(up).size() == 1;
+       up = skeleton.joints[joint].parent)
+    joint = up;
+  return joint;
+}
+
+// Rotations from one joint on outward in all frames, all else as it is, from the best of several
+// starts. Returns nothing if none is better.
+class Outward {
+ public:
+  Outward(const Document& document, const RayResiduals& residuals, const PoseFreedom& freedom,
+          const PosePrior& prior, const PoseChange& from, int joint, Run& run)
+      : outward_(outward_of(document.skeleton, joint)),
+        residuals_(residuals.of(outward_)),
+        solver_(document, residuals_, only(freedom), prior, run),
+        best_{from, solver_.energy(from, kNarrowKernel)},
+        before_(best_.energy) {}
+
+  void start_at(PoseChange start) {
+    SolvedPoses s = solver_.minimise(std::move(start), kWideKernel, kTurnIterations / 3);
+    s = solver_.minimise(std::move(s.change), kNarrowKernel, kTurnIterations);
+    if (s.energy < best_.energy) best_ = std::move(s);
+  }
+  // The user's rotations in one frame; as they are and led by landmarks.
+  void start_at_users(const PoseChange& from, int frame) {
+    PoseChange start = from;
+    for (std::size_t j = 0; j < outward_.size(); ++j)
+      if (outward_[j]) start[frame].rotation[j].setZero();
+    start_at(start);
+    start_at(solver_.minimise(std::move(start), {0, 0, kLead}, kTurnIterations).change);
+  }
+  Placement at(const PoseChange& change) const { return solver_.at(change); }
+  std::optional<PoseChange> better() const {
+    if (best_.energy >= before_ - 1) return std::nullopt;
+    return best_.change;
+  }
+
+ private:
+  PoseFreedom only(PoseFreedom freedom) const {
+    for (std::size_t f = 0; f < freedom.frame.size(); ++f) {
+      freedom.frame[f] = 0;
+      for (std::size_t j = 0; j < outward_.size(); ++j)
+        if (!outward_[j]) freedom.joint[f][j] = 0;
+    }
+    return freedom;
+  }
+
+  std::vector<char> outward_;
+  RayResiduals residuals_;
+  PoseSolver solver_;
+  SolvedPoses best_;
+  double before_;
+};
+
+// A part's joint turned in the frame that it misses in, or else its whole limb begun anew there.
+std::optional<PoseChange> turned_out(const Document& document, const RayResiduals& residuals,
+                                     const PoseFreedom& freedom, const PosePrior& prior,
+                                     const PoseChange& from, const Missed& where, Run& run) {
+  Outward joint(document, residuals, freedom, prior, from, where.joint, run);
+  const Vec3 now = from[where.frame].rotation[where.joint];
+  const Mat3 axes = joint.at(from).posed[where.frame][where.joint].linear();
+  const Vec3 bone = middle_of_bones(document.skeleton, where.joint);
+  for (const Vec3& rotation : turned(now, axes, bone, freedom.max_rotation)) {
+    PoseChange start = from;
+    start[where.frame].rotation[where.joint] = rotation;
+    joint.start_at(std::move(start));
+  }
+  if (auto better = joint.better()) return better;
+  Outward limb(document, residuals, freedom, prior, from,
+               start_of_limb(document.skeleton, where.joint), run);
+  limb.start_at_users(from, where.frame);
+  return limb.better();
+}
+
+// Rounds of turns until none helps; all joints are fitted again after each.
+SolvedPoses out_of_minima(PoseSolver& solver, const Document& document,
+                          const RayResiduals& residuals, const PoseFreedom& freedom,
+                          SolvedPoses best, Run& run) {
+  int left = kMostTurned;
+  for (bool any = true; any && left > 0;) {
+    any = false;
+    PoseChange change = best.change;
+    for (const Missed& one : missed(residuals, solver.at(change), freedom)) {
+      if (run.cancelled() || left-- <= 0) break;
+      if (auto better =
+              turned_out(document, residuals, freedom, solver.prior(), change, one, run)) {
+        change = std::move(*better);
+        any = true;
+      }
+    }
+    if (!any) break;
+    SolvedPoses s = solver.minimise(std::move(change), kNarrowKernel, kIterations);
+    if (s.energy < best.energy) best = std::move(s);
+  }
+  return best;
+}
+
+// ---------------------------------------------------------------- joints without contours
+
+// Holds joints without a contour in a frame at the user's rotation where that costs next to
+// nothing, so that they move only where what hangs on them needs it: all at once, else one by one,
+// those that moved least first.
+SolvedPoses unneeded_held(const Document& document, const RayResiduals& residuals,
+                          PoseFreedom freedom, const PosePrior& prior, const PoseEnergy& what,
+                          SolvedPoses best, Run& run) {
+  const auto shared = shared_contours(document);
+  std::vector<std::pair<int, int>> moved;  // frame, joint
+  for (int f = 0; f < int(best.change.size()); ++f)
+    for (int j = 1; j < document.skeleton.size(); ++j)
+      if (freedom.joint[f][j] && !shared[f][j]) moved.emplace_back(f, j);
+  std::stable_sort(moved.begin(), moved.end(), [&](const auto& a, const auto& b) {
+    return best.change[a.first].rotation[a.second].squaredNorm() <
+           best.change[b.first].rotation[b.second].squaredNorm();
+  });
+  best.energy = PoseSolver(document, residuals, freedom, prior, run).energy(best.change, what);
+  const auto hold = [&](auto first, auto last) {
+    PoseFreedom held = freedom;
+    PoseChange start = best.change;
+    for (auto one = first; one != last; ++one) {
+      held.joint[one->first][one->second] = 0;
+      start[one->first].rotation[one->second].setZero();
+    }
+    PoseSolver solver(document, residuals, held, prior, run);
+    SolvedPoses s = solver.minimise(std::move(start), what, kHoldIterations);
+    if (s.energy > best.energy + double(last - first)) return false;
+    best = std::move(s);
+    freedom = std::move(held);
+    return true;
+  };
+  if (moved.empty() || hold(moved.begin(), moved.end())) return best;
+  if (moved.size() > kMostHeld) moved.resize(kMostHeld);
+  for (auto one = moved.begin(); one != moved.end() && !run.cancelled(); ++one) hold(one, one + 1);
+  return best;
+}
+
+}  // namespace
+
+Result<Calibration> calibrate_rays(const Document& document, Run& run) {
+  Calibration result;
+  const RayResiduals residuals = RayResiduals(document, kRayStep, kMostRays).thinned();
+  const PoseFreedom freedom = freedom_of(document, result.warnings);
+  const double shift = kPriorShare * freedom.max_translation;
+  const PosePrior widest{kPriorShare * freedom.max_rotation, shift, shift, kPriorScale};
+  PoseSolver solver(document, residuals, freedom, widest, run);
+  const PoseChange user = no_change(document);
+  solver.narrow_prior(user);
+  SolvedPoses best = best_of_starts(solver, user);
+  run.report(0.5);
+  best = out_of_minima(solver, document, residuals, freedom, std::move(best), run);
+  run.report(0.8);
+  const auto robust = [&](const PoseChange& change) {
+    return residuals.evaluate(solver.at(change), kNarrow, 1, nullptr);
+  };
+  PoseEnergy measured = kNarrowKernel;
+  for (int i = 0; i < kRefinements; ++i) {
+    const double mean = robust(best.change) / residuals.contour_length();
+    measured.noise = std::clamp(kNoisePerMean * mean, kLeastNoise, kMostNoise);
+    best = solver.minimise(std::move(best.change), measured, kIterations);
+  }
+  best =
+      unneeded_held(document, residuals, freedom, solver.prior(), measured, std::move(best), run);
+  if (run.cancelled()) return cancelled();
+  result.energy_before = robust(user);
+  result.energy_after = robust(best.change);
+  result.iterations = solver.iterations();
+  result.poses = solver.poses(best.change);
+  result.scales = solver.scales(best.change);
+  return result;
+}
+
+}  // namespace artisketch

@@ -1,0 +1,20 @@
+// What a calibration has to say for itself.
+#pragma once
+
+#include <span>
+
+#include "model/calibrate/calibrate.h"
+#include "model/calibrate/ray_residuals.h"
+
+namespace artisketch {
+
+// Fills in the largest changes against the user's poses and the angles that silhouettes leave open
+// at the poses found; adds warnings about limits that were reached and about parts whose drawings
+// cannot agree. rays: of the document. after: at the poses found.
+void explain(const Document& document, const RayResiduals& rays, std::span<const Coverage> after,
+             Calibration& result);
+
+// "frame 3 'side'".
+std::string frame_words(const Document& document, int frame);
+
+}  // namespace artisketch

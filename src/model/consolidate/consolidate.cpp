@@ -1,0 +1,233 @@
+// One skin from all parts (the paper's section 5): union, closed gaps, one surface, blended.
+//
+// We differ from the paper in what the spheres do: it unites them with the parts and then fairs all
+// vertices inside. A ball of 60 % of a limb's diameter stands out of the limb by a fifth of its
+// radius, so we only close inside it what a smaller ball can't enter, and fair the creases there.
+#include <algorithm>
+#include <cmath>
+
+#include "base/well_composed.h"
+#include "model/consolidate/close_gaps.h"
+#include "model/consolidate/fair.h"
+#include "model/consolidate/ties.h"
+
+namespace artisketch {
+namespace {
+
+constexpr double kCellsAcrossThinnest = 6;
+constexpr double kWantedVertices = 40000;  // of the lattice's surface, where no part is thinner
+constexpr double kMostVertices = 120000;
+constexpr double kMostSamples = 1e9;  // of the lattice, stored or not
+constexpr double kMostStored = 2e7;   // 160 MB
+constexpr double kMostAlongSide = 1e4;
+
+// Between strangers, in cells: the lattice tells them apart by so much; once it has, their walls
+// may come as near as this without meeting.
+constexpr double kLatticeGap = 2, kSettledGap = 0.5;
+
+// The lattice's step: fine enough for the thinnest part, and for a surface that looks smooth.
+double cell_size(const PartTree& tree, std::span<const PartSurface> parts) {
+  double area = 0, stored = 0, thinnest = BlockGrid::kOutside;
+  Box3 all;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!tree.nodes[i].solid) continue;
+    area += tree.nodes[i].area;
+    thinnest = std::min(thinnest, tree.nodes[i].width);
+    stored += parts[i].distance.box().volume();
+    all.extend(parts[i].distance.box());
+  }
+  // A lattice surface has about 1.5 vertices per cell² of area.
+  const auto cell_for = [&](double vertices) { return std::sqrt(1.5 * area / vertices); };
+  const double wanted =
+      std::max(std::min(cell_for(kWantedVertices), thinnest / kCellsAcrossThinnest),
+               cell_for(kMostVertices));
+  // Small parts far apart, thin ones across the grain: memory has its limits.
+  const Vec3 sides = all.sizes();
+  return std::max({wanted, std::cbrt(stored / kMostStored), std::cbrt(sides.prod() / kMostSamples),
+                   sides.maxCoeff() / kMostAlongSide});
+}
+
+// The pieces of a closed surface.
+struct Pieces {
+  std::vector<int> of;  // per vertex
+  std::vector<double> volume;
+  std::vector<int> vertices, quads;
+  int largest = 0;
+  int genus(int piece) const { return 1 - (vertices[piece] - quads[piece]) / 2; }
+};
+
+Pieces pieces(const QuadMesh& mesh) {
+  Pieces p;
+  int count = 0;
+  // Any two triangles of a quad will do.
+  Triangles F(2 * mesh.Q.rows(), 3);
+  for (Eigen::Index q = 0; q < mesh.Q.rows(); ++q) {
+    F.row(2 * q) << mesh.Q(q, 0), mesh.Q(q, 1), mesh.Q(q, 2);
+    F.row(2 * q + 1) << mesh.Q(q, 0), mesh.Q(q, 2), mesh.Q(q, 3);
+  }
+  p.of = vertex_components({mesh.V, F}, &count);
+  p.volume.assign(count, 0);
+  p.vertices.assign(count, 0);
+  p.quads.assign(count, 0);
+  for (const int c : p.of) ++p.vertices[c];
+  for (Eigen::Index f = 0; f < F.rows(); ++f) {
+    const Vec3 a = mesh.V.row(F(f, 0)), b = mesh.V.row(F(f, 1)), c = mesh.V.row(F(f, 2));
+    p.volume[p.of[F(f, 0)]] += a.dot(b.cross(c)) / 6;
+  }
+  for (Eigen::Index q = 0; q < mesh.Q.rows(); ++q) ++p.quads[p.of[mesh.Q(q, 0)]];
+  for (int c = 0; c < count; ++c)
+    if (p.volume[c] > p.volume[p.largest]) p.largest = c;
+  return p;
+}
+
+QuadMesh only(const QuadMesh& mesh, const Pieces& p, int piece) {
+  QuadMesh kept{Points3(p.vertices[piece], 3), Quads(p.quads[piece], 4)};
+  std::vector<int> index(mesh.V.rows(), -1);
+  int v = 0, q = 0;
+  for (Eigen::Index i = 0; i < mesh.V.rows(); ++i) {
+    if (p.of[i] != piece) continue;
+    kept.V.row(v) = mesh.V.row(i);
+    index[i] = v++;
+  }
+  for (Eigen::Index i = 0; i < mesh.Q.rows(); ++i) {
+    if (p.of[mesh.Q(i, 0)] != piece) continue;
+    for (int c = 0; c < 4; ++c) kept.Q(q, c) = index[mesh.Q(i, c)];
+    ++q;
+  }
+  return kept;
+}
+
+struct Surface {
+  QuadMesh mesh;
+  Pieces found;
+  int genus() const { return found.genus(found.largest); }
+};
+
+Surface surface_of(const BlockGrid& grid) {
+  Surface s;
+  s.mesh = dual_surface(grid);
+  s.found = pieces(s.mesh);
+  return s;
+}
+
+// Holes that the parts have of their own.
+int own_genus(std::span<const PartSurface> parts) {
+  int genus = 0;
+  for (const PartSurface& part : parts)
+    if (part.mesh.F.rows() > 0) genus += std::max(0, topology(part.mesh).genus());
+  return genus;
+}
+
+// The body with its gaps closed, and its handles: ever wider ones until none is left that no part
+// has of its own.
+constexpr double kGap = 2, kWidestHandle = 8;  // cells
+Result<Surface> closed_surface(const Body& body, double cell, std::span<const JointSphere> spheres,
+                               std::span<const PartSurface> parts, Body::Sampled& sampled,
+                               Run& run) {
+  const auto sample_for = [&](double reach) -> Result<Surface> {
+    Result<Body::Sampled> found = body.sample(cell, (reach + 1) * cell, run);
+    if (!found) return found.error();
+    sampled = std::move(*found);
+    make_well_composed(sampled.grid);
+    close_gaps(sampled, body, kGap * cell, spheres);
+    return surface_of(sampled.grid);
+  };
+  Result<Surface> best = sample_for(kGap);
+  if (!best || best->genus() <= 0) return best;
+  const int wanted = own_genus(parts);
+  if (best->genus() <= wanted) return best;
+  best = sample_for(kWidestHandle);
+  for (double reach = 2 * kGap; best && reach <= kWidestHandle && best->genus() > wanted;
+       reach *= 2) {
+    close_gaps(sampled, body, reach * cell, {});
+    best = surface_of(sampled.grid);
+  }
+  return best;
+}
+
+// Which piece each part lies on for the most part: −1 where it shows nowhere.
+std::vector<int> pieces_of_parts(const Body& body, const PartTree& tree, const Surface& s) {
+  std::vector<std::vector<int>> count(body.size(), std::vector<int>(s.found.volume.size(), 0));
+  for (int v = 0; v < int(s.mesh.V.rows()); ++v) {
+    if (s.found.volume[s.found.of[v]] <= 0) continue;
+    int nearest = -1;
+    double least = BlockGrid::kOutside;
+    for (int i = 0; i < body.size(); ++i) {
+      if (!tree.nodes[i].solid) continue;
+      const double d = body.part_distance(i, s.mesh.V.row(v).transpose());
+      if (d < least) least = d, nearest = i;
+    }
+    ++count[nearest][s.found.of[v]];
+  }
+  std::vector<int> piece_of(body.size(), -1);
+  for (int i = 0; i < body.size(); ++i) {
+    const auto most = std::max_element(count[i].begin(), count[i].end());
+    if (*most > 0) piece_of[i] = int(most - count[i].begin());
+  }
+  return piece_of;
+}
+
+// Parts far from each other in the skeleton whose surfaces run into each other all the same.
+void name_the_fused(const Document& document, std::span<const PartSurface> parts,
+                    const PartTree& tree, const QuadMesh& mesh, const Settled& settled,
+                    std::vector<std::string>& warnings) {
+  std::vector<std::pair<int, int>> fused;
+  for (Eigen::Index q = 0; q < mesh.Q.rows(); ++q)
+    for (int c = 0; c < 4; ++c) {
+      const int i = settled.owner[mesh.Q(q, c)], j = settled.owner[mesh.Q(q, (c + 1) % 4)];
+      if (i < 0 || j <= i || tree.meet(i, j) || tree.meet(tree.step(i, j), j)) continue;
+      if (std::find(fused.begin(), fused.end(), std::pair(i, j)) == fused.end())
+        fused.emplace_back(i, j);
+    }
+  std::sort(fused.begin(), fused.end());
+  for (const auto& [i, j] : fused)
+    warnings.push_back("'" + document.skeleton.joints[parts[i].joint].name + "' and '" +
+                       document.skeleton.joints[parts[j].joint].name +
+                       "' touch in the rest pose and are fused there. Move them apart in the rest "
+                       "pose, or draw them thinner where they touch");
+}
+
+}  // namespace
+
+Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> parts,
+                         const ConsolidateOptions& options, std::vector<std::string>& warnings,
+                         Run& run) {
+  const PartTree tree = part_tree(document, parts);
+  if (std::none_of(tree.nodes.begin(), tree.nodes.end(), [](const auto& n) { return n.solid; }))
+    return bad_input("no part has a body: draw a closed contour for at least one joint");
+  std::vector<JointSphere> spheres;
+  if (options.blend) spheres = joint_spheres(document, parts, tree);
+  const double cell = cell_size(tree, parts);
+  Body body(parts, tree, spheres, kLatticeGap * cell);
+  Body::Sampled sampled;
+  Surface surface;
+  for (const bool tied : {false, true}) {
+    Result<Surface> closed = closed_surface(body, cell, spheres, parts, sampled, run);
+    if (!closed) return closed.error();
+    surface = std::move(*closed);
+    run.report(tied ? 0.4 : 0.3);
+    const auto solid = [](double volume) { return volume > 0; };
+    const std::vector<double>& volume = surface.found.volume;
+    if (tied || std::count_if(volume.begin(), volume.end(), solid) < 2) break;
+    body.tubes =
+        ties(document, parts, tree, spheres, pieces_of_parts(body, tree, surface), cell, warnings);
+    if (body.tubes.empty()) break;
+  }
+  run.report(0.5);
+  QuadMesh mesh = only(surface.mesh, surface.found, surface.found.largest);
+  if (mesh.V.rows() == 0) return bad_input("the parts are too thin to make a surface of");
+  body.set_gap(kSettledGap * cell);
+  const Settled settled = settle(body, sampled, mesh);
+  if (run.cancelled()) return cancelled();
+  name_the_fused(document, parts, tree, mesh, settled, warnings);
+  run.report(0.7);
+  fair(body, sampled, spheres, settled, mesh);
+  Mesh skin{mesh.V, split_quads(mesh.V, mesh.Q)};
+  if (const int left = untangle(skin); left > 0)
+    warnings.push_back("the surface passes through itself in " + std::to_string(left) +
+                       " places where parts crowd together");
+  run.report(1);
+  return skin;
+}
+
+}  // namespace artisketch

@@ -1,0 +1,33 @@
+// How well the views of a part explain each other: an outline's ray that no depth brings inside all
+// other outlines says that some view is wrong there.
+#pragma once
+
+#include <vector>
+
+#include "model/surface/carving.h"
+
+namespace artisketch {
+
+// Where a ray passes what `others` allow by the least, and by how many pixels; negative where it
+// comes inside them. No nearer place is sought than one within `enough` pixels.
+struct Miss {
+  double distance;
+  Vec3 point;
+};
+Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Box3& room,
+          double enough);
+
+// Share of an outline's rays that miss the others by no more than `tolerance` pixels.
+double coverage(const Silhouette& outline, const std::vector<const Silhouette*>& others,
+                const Box3& room, double tolerance);
+
+// Wobbly outlines cut each other: every intersection of them is smaller than what was drawn. Swells
+// each outline by the few pixels, just where they are lacking, that let the others' rays meet the
+// hull; by at most kMostSwelling of its size, as views that disagree by more are wrong in their
+// pose.
+void swell_until_covered(Carving& carving);
+// The same for the mirrored outlines alone, and the own outlines' rays: what is drawn stays, and a
+// mirrored outline gives way where its side differs.
+void swell_mirrored(Carving& carving);
+
+}  // namespace artisketch

@@ -1,0 +1,351 @@
+#include "model/surface/carving.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace artisketch {
+namespace {
+
+const double kSameDirection = radians(10);
+
+// A point of the part's bone (or its joint), about which a part without a depth of its own lies.
+Vec3 middle_of_bones(const Part& part) {
+  if (part.bones.empty()) return part.origin;
+  Vec3 sum = Vec3::Zero();
+  for (const Bone& bone : part.bones) sum += (bone.a + bone.b) / 2;
+  return sum / double(part.bones.size());
+}
+
+std::vector<std::vector<Vec2>> closed_lines(const PartView& view) {
+  std::vector<std::vector<Vec2>> closed;
+  for (const Polyline& line : view.contours)
+    if (line.closed) closed.push_back(line.points);
+  return closed;
+}
+
+// Half the outline's width across its narrow side, in pixels: the extent of its points along the
+// axis of their least deviation.
+double narrow_half_width(const PartView& view) {
+  std::vector<Vec2> points;
+  for (const Polyline& line : view.contours)
+    if (line.closed)
+      for (const Vec2& p : resampled(line, 1).points) points.push_back(p);
+  Vec2 mean = Vec2::Zero();
+  for (const Vec2& p : points) mean += p / double(points.size());
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Vec2& p : points) spread += (p - mean) * (p - mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Vec2& p : points) {
+    const double x = axes.eigenvectors().col(0).dot(p - mean);
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  return (high - low) / 2;
+}
+
+Slab slab_of(const std::vector<Silhouette>& views, const Vec3& middle) {
+  Slab slab;
+  for (const Silhouette& view : views)
+    if (!same_direction(view.direction, views[0].direction)) return slab;
+  slab.centre = middle;
+  slab.direction = views[0].direction;
+  slab.half = 0;
+  for (const Silhouette& view : views)
+    slab.half =
+        std::max(slab.half, narrow_half_width(*view.view) / view.view->pixels_per_unit(middle));
+  return slab;
+}
+
+// A cube about the point nearest to the middles of all outlines.
+Box3 room_of(const Carving& carving) {
+  Mat3 A = 1e-3 * Mat3::Identity();  // pulled slightly to the bone, for views of one direction
+  Vec3 b = 1e-3 * carving.middle;
+  double diameter = 0;
+  for (const Silhouette& view : carving.views) {
+    const Box2 box = view.view->outline.box();
+    const Ray ray = view.view->ray(box.center());
+    const Mat3 across = Mat3::Identity() - ray.direction * ray.direction.transpose();
+    A += across;
+    b += across * ray.origin;
+    diameter =
+        std::max(diameter, box.diagonal().norm() / view.view->pixels_per_unit(carving.middle));
+  }
+  const Vec3 centre = A.ldlt().solve(b);
+  return {centre - Vec3::Constant(0.75 * diameter), centre + Vec3::Constant(0.75 * diameter)};
+}
+
+// What ever finer carving leaves of the room.
+Box3 hull_box(const Carving& carving) {
+  double grown = 0;
+  for (const Silhouette& view : carving.views)
+    grown = std::max(grown, view.grown / view.view->pixels_per_unit(carving.middle));
+  Box3 box(carving.room.min() - Vec3::Constant(grown), carving.room.max() + Vec3::Constant(grown));
+  constexpr int n = 20;
+  for (int pass = 0; pass < 3; ++pass) {
+    const Vec3 step = box.sizes() / n;
+    const float reach = float(step.norm() / 2 * 1.05);  // the rasters' few per cent
+    // From the middle out: what lies between samples that are kept need not be asked.
+    Index3 from = Index3::Constant(n), to = Index3::Constant(-1);  // the kept samples
+    const auto outward = [](int i) { return n / 2 + (i % 2 ? -(i + 1) / 2 : i / 2); };
+    float row[n];
+    const auto ask = [&](int begin, int end, int j, int k) {
+      const Vec3 start = box.min() + Vec3(0.5, j + 0.5, k + 0.5).cwiseProduct(step);
+      const Vec3 along(step.x(), 0, 0);
+      for (int i = begin; i < end; ++i) row[i] = float(carving.slab.distance(start + i * along));
+      for (const Silhouette& view : carving.views) {
+        // What one view leaves out needn't be asked of the others.
+        while (begin < end && row[begin] > reach) ++begin;
+        while (begin < end && row[end - 1] > reach) --end;
+        if (begin == end) return;
+        view.raise(start + begin * along, along, end - begin, row + begin);
+      }
+      for (int i = begin; i < end; ++i)
+        if (row[i] <= reach) {
+          from = from.cwiseMin(Index3(i, j, k));
+          to = to.cwiseMax(Index3(i, j, k));
+        }
+    };
+    for (int k = 0; k < n; ++k)
+      for (int j = 0; j < n; ++j) {
+        const Index3 at(0, outward(j), outward(k));
+        const bool between = (at.tail<2>().array() >= from.tail<2>().array()).all() &&
+                             (at.tail<2>().array() <= to.tail<2>().array()).all();
+        const int first = between ? from.x() : n, last = between ? to.x() : n;
+        ask(0, first, at.y(), at.z());
+        ask(last + 1, n, at.y(), at.z());
+      }
+    if (to.x() < 0) return {};
+    box = Box3(box.min() + from.cast<double>().cwiseProduct(step),
+               box.min() + (to + Index3::Ones()).cast<double>().cwiseProduct(step));
+  }
+  return box;
+}
+
+// Mean width of the thinnest outline in units: 2 · area / perimeter, w for a long strip w wide.
+double mean_width(const Carving& carving) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Silhouette& view : carving.views) {
+    double area = 0, perimeter = 0;
+    for (const Polyline& line : view.view->contours)
+      if (line.closed) {
+        area += std::abs(signed_area(line));
+        perimeter += length(line);
+      }
+    least = std::min(least, (2 * area / std::max(perimeter, 1e-9) + 2 * view.grown) /
+                                view.view->pixels_per_unit(carving.middle));
+  }
+  return least;
+}
+
+}  // namespace
+
+bool same_direction(const Vec3& a, const Vec3& b) {
+  return std::abs(a.dot(b)) >= std::cos(kSameDirection);
+}
+
+Silhouette::Silhouette(const PartView& view, int cells) : view(&view) {
+  const double longest = std::max(view.outline.box().sizes().maxCoeff(), 1e-6);
+  const double step = longest / (2.0 * cells);  // half a cell: what the grid can show, and no more
+  raster = DistanceRaster(closed_lines(view), step, 6 * step);
+  direction = view.ray(view.outline.box().center()).direction;
+}
+
+double Silhouette::distance(const Vec3& p) const {
+  const Vec3 X = view->to_world * p;
+  if (!view->camera.in_front(X)) return std::numeric_limits<double>::infinity();
+  return (raster.distance(view->camera.project(X)) - grown) / view->camera.pixels_per_unit(X.z());
+}
+
+namespace {
+
+using Vec3f = Eigen::Vector3f;
+
+// Raises a row of values to the distances along a line in world space.
+void raise_row(const Silhouette& s, const Vec3f& X, const Vec3f& d, int n, float* values,
+               Silhouette::Unit unit) {
+  const FrameCamera& camera = s.view->camera;
+  const bool pixels = unit == Silhouette::Unit::pixels;
+  const float px = float(camera.principal_point.x()), py = float(camera.principal_point.y());
+  const float x = X.x(), y = X.y(), dx = d.x(), dy = d.y(), grown = float(s.grown);
+  constexpr int kLanes = 4;
+  float u[kLanes], v[kLanes], distances[kLanes];
+  if (camera.camera.type == Camera::Type::orthographic) {
+    const float scale = float(camera.pixels_per_unit(0)), per_scale = pixels ? 1 : 1 / scale;
+    const float u0 = px + scale * x, du = scale * dx, v0 = py - scale * y, dv = -scale * dy;
+    for (int from = 0; from < n; from += kLanes) {
+      for (int l = 0; l < kLanes; ++l) {
+        u[l] = u0 + float(from + l) * du;
+        v[l] = v0 + float(from + l) * dv;
+      }
+      s.raster.distances(u, v, distances);
+      for (int l = 0; l < std::min(kLanes, n - from); ++l)
+        values[from + l] = std::max(values[from + l], (distances[l] - grown) * per_scale);
+    }
+    return;
+  }
+  const float f = float(camera.camera.focal_length);
+  const float w = float(camera.camera.distance) - X.z(), dw = -d.z();
+  for (int from = 0; from < n; from += kLanes) {
+    float depth[kLanes];
+    for (int l = 0; l < kLanes; ++l) {
+      depth[l] = w + float(from + l) * dw;
+      const float scale = f / depth[l];
+      u[l] = px + scale * (x + float(from + l) * dx);
+      v[l] = py - scale * (y + float(from + l) * dy);
+    }
+    s.raster.distances(u, v, distances);
+    for (int l = 0; l < std::min(kLanes, n - from); ++l) {
+      float& value = values[from + l];
+      if (depth[l] <= 0)
+        value = std::numeric_limits<float>::infinity();
+      else
+        value = std::max(value, (distances[l] - grown) * (pixels ? 1 : depth[l] / f));
+    }
+  }
+}
+
+}  // namespace
+
+void Silhouette::raise(const Vec3& start, const Vec3& step, int n, float* values, Unit unit) const {
+  raise_row(*this, (view->to_world * start).cast<float>(),
+            (view->to_world.linear() * step).cast<float>(), n, values, unit);
+}
+
+void Silhouette::raise(const Vec3& start, double cell, const Index3& n, float* values,
+                       std::ptrdiff_t stride_y, std::ptrdiff_t stride_z) const {
+  const Vec3f X = (view->to_world * start).cast<float>();
+  const Eigen::Matrix3f d = (cell * view->to_world.linear()).cast<float>();
+  for (int k = 0; k < n.z(); ++k)
+    for (int j = 0; j < n.y(); ++j)
+      raise_row(*this, X + float(j) * d.col(1) + float(k) * d.col(2), d.col(0), n.x(),
+                values + j * stride_y + k * stride_z, Unit::units);
+}
+
+Result<Carving> carving_of(const Part& part, int cells) {
+  Carving carving;
+  carving.name = part.name;
+  carving.middle = middle_of_bones(part);
+  carving.radius = std::numeric_limits<double>::infinity();
+  add_views(part, part.views, cells, carving);
+  if (carving.views.empty())
+    return bad_input("'" + part.name + "' has no closed contour in any frame");
+  return carving;
+}
+
+void add_views(const Part& part, std::span<const PartView> views, int cells, Carving& carving) {
+  for (const PartView& view : views) {
+    if (!view.seen()) continue;
+    carving.views.emplace_back(view, cells);
+    carving.radius = std::min(carving.radius, carving.views.back().raster.deepest() /
+                                                  view.pixels_per_unit(carving.middle));
+  }
+  if (carving.views.empty()) return;
+  carving.slab = slab_of(carving.views, carving.middle);
+  carving.slab.half *= part.fatness;
+  carving.room = room_of(carving);
+}
+
+Result<Grid3<float>> carving_grid(const Carving& carving, int cells) {
+  const Box3 box = hull_box(carving);
+  if (box.isEmpty()) return bad_input("the contours of '" + carving.name + "' share no volume");
+  double cell = std::max(box.sizes().maxCoeff(), 1e-9) / cells;
+  // A thin part needs some cells across its width to stay in one piece; as its box is mostly
+  // narrow, they cost no more than a plump part's. Where it isn't, the budget decides.
+  const double thin = mean_width(carving) / 5;
+  if (thin < cell) {
+    const double budget = 1.3 * std::pow(cells + 5.0, 3);
+    const Vec3 sizes = box.sizes();
+    const auto samples = [&](double c) { return ((sizes / c).array().ceil() + 5).prod(); };
+    while (cell > thin && samples(cell * 0.95) <= budget) cell *= 0.95;
+  }
+  const Index3 size = (box.sizes() / cell).array().ceil().cast<int>() + 5;
+  return Grid3<float>(box.min() - Vec3::Constant(2 * cell), cell, size,
+                      std::numeric_limits<float>::max());
+}
+
+Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double band) {
+  Result<Grid3<float>> grid = carving_grid(carving, cells);
+  if (!grid) return grid;
+  Grid3<float>& g = *grid;
+  // Blocks of 4³ samples: one question in the middle tells whether the block lies wholly outside or
+  // inside by more than its half diagonal, and which views are nowhere the largest in it. A
+  // projection stretches lengths by no more than its pixels per unit, so the distance in units
+  // changes by at most about the way walked; the rasters are a few per cent off.
+  constexpr int kBlock = 4;
+  constexpr double kStretch = 1.2;
+  const double reach = kStretch * g.cell * (kBlock - 1) / 2.0 * std::sqrt(3.0);
+  const double beyond = reach + band * g.cell;
+  std::vector<double> at_centre(carving.views.size());
+  for (int k0 = 0; k0 < g.size.z(); k0 += kBlock) {
+    if (run.cancelled()) return cancelled();
+    for (int j0 = 0; j0 < g.size.y(); j0 += kBlock)
+      for (int i0 = 0; i0 < g.size.x(); i0 += kBlock) {
+        const Vec3 centre =
+            g.origin + g.cell * (Vec3(i0, j0, k0) + Vec3::Constant((kBlock - 1) / 2.0));
+        double most = carving.slab.distance(centre);
+        for (std::size_t v = 0; v < at_centre.size() && most <= beyond; ++v)
+          most = std::max(most, at_centre[v] = carving.views[v].distance(centre));
+        const bool far = std::abs(most) > beyond;
+        const Index3 n = (g.size - Index3(i0, j0, k0)).cwiseMin(kBlock);
+        for (int k = k0; k < k0 + n.z(); ++k)
+          for (int j = j0; j < j0 + n.y(); ++j) {
+            float* row = &g(i0, j, k);
+            for (int i = 0; i < n.x(); ++i)
+              row[i] = float(far ? most : carving.slab.distance(g.position(i0 + i, j, k)));
+          }
+        if (far) continue;
+        for (std::size_t v = 0; v < at_centre.size(); ++v)
+          if (at_centre[v] >= most - 2 * reach)
+            carving.views[v].raise(g.position(i0, j0, k0), g.cell, n, &g(i0, j0, k0), g.stride_y(),
+                                   g.stride_z());
+      }
+  }
+  return grid;
+}
+
+void widen_until_they_meet(Carving& carving, std::vector<std::string>& warnings) {
+  // The box search keeps what may touch, so a hull of nothing may leave a box: look for an inside.
+  const auto has_inside = [&](double grown) {
+    for (Silhouette& view : carving.views) view.grown = grown;
+    const Box3 box = hull_box(carving);
+    if (box.isEmpty()) return false;
+    constexpr int n = 24;
+    for (int k = 0; k <= n; ++k)
+      for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i)
+          if (carving.distance(box.min() + Vec3(i, j, k).cwiseProduct(box.sizes() / n)) < 0)
+            return true;
+    return false;
+  };
+  std::vector<double> before;
+  for (const Silhouette& view : carving.views) before.push_back(view.grown);
+  if (has_inside(0)) {
+    for (std::size_t v = 0; v < before.size(); ++v) carving.views[v].grown = before[v];
+    return;
+  }
+  double most = 1;
+  while (most < 1e4 && !has_inside(most)) most *= 2;
+  double least = most / 2;
+  for (int i = 0; i < 4; ++i) {
+    const double middle = (least + most) / 2;
+    (has_inside(middle) ? most : least) = middle;
+  }
+  // What barely meets is a sliver: a share of the smallest outline gives it a body.
+  double smallest = std::numeric_limits<double>::infinity();
+  std::string frames;
+  for (const Silhouette& view : carving.views) {
+    smallest = std::min(smallest, view.view->outline.box().sizes().minCoeff());
+    frames += (frames.empty() ? "" : ", ") + std::to_string(view.view->frame + 1);
+  }
+  const double grown = most + 0.15 * smallest;
+  for (Silhouette& view : carving.views) view.grown = grown;
+  warnings.push_back("'" + carving.name + "': its contours in frames " + frames +
+                     " share no volume at these poses; they were widened by " +
+                     std::to_string(int(std::lround(grown))) +
+                     " px to give it a body. Check the poses of '" + carving.name + "' there");
+}
+
+}  // namespace artisketch

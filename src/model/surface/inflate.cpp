@@ -1,0 +1,126 @@
+#include "model/surface/inflate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace artisketch {
+namespace {
+
+// World depth as a function of the pixel: z = at + slope · (pixel − centre).
+struct MiddlePlane {
+  Vec2 centre = Vec2::Zero();
+  Vec2 slope = Vec2::Zero();  // units per pixel
+  double at = 0;
+  double depth(const Vec2& pixel) const { return at + slope.dot(pixel - centre); }
+};
+
+// The plane nearest to the bones, upright against the view where they don't say otherwise. A bone
+// that points at the camera says nothing of its part's lean: its slope counts by its length in the
+// image alone.
+MiddlePlane middle_plane(const PartView& view, std::span<const Bone> bones, const Vec3& middle) {
+  MiddlePlane plane;
+  const Vec3 M = view.to_world * middle;
+  plane.centre = view.camera.project(M);
+  plane.at = M.z();
+  const double s = view.camera.pixels_per_unit(M.z());
+  Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
+  Vec2 b = Vec2::Zero();
+  double lengths = 0;
+  for (const Bone& bone : bones) {
+    const Vec3 a = view.to_world * bone.a, e = view.to_world * bone.b;
+    const Vec2 across = (view.camera.project(e) - view.camera.project(a)) / s;
+    A += across * across.transpose();
+    b += across * (e.z() - a.z());
+    lengths += (e - a).squaredNorm();
+  }
+  if (lengths > 0) {
+    A += 0.25 * lengths * Eigen::Matrix2d::Identity();
+    plane.slope = A.ldlt().solve(b) / s;
+  }
+  return plane;
+}
+
+// u on a raster: Δu = −1 where distance < 0 (both in steps), 0 on the line, by over-relaxation.
+// Neighbours across the line are mirrored through it at the crossing that the distances tell.
+void solve_poisson(const std::vector<float>& distance, int nx, int ny, std::vector<float>& u) {
+  u.assign(distance.size(), 0);
+  const float relax = float(2 / (1 + std::sin(kPi / std::max(nx, ny))));
+  const int sweeps = 2 * std::max(nx, ny);
+  const int neighbours[4] = {-1, 1, -nx, nx};
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (int y = 1; y + 1 < ny; ++y)
+      for (int x = 1; x + 1 < nx; ++x) {
+        const std::size_t i = std::size_t(y) * nx + x;
+        if (!(distance[i] < 0)) continue;
+        float sum = 1, weight = 0;
+        for (const int to : neighbours) {
+          const float d = distance[i + to];
+          if (d < 0) {
+            sum += u[i + to];
+            weight += 1;
+          } else {
+            weight += (d - distance[i]) / std::max(-distance[i], 0.1f * (d - distance[i]));
+          }
+        }
+        u[i] += relax * (sum / weight - u[i]);
+      }
+}
+
+}  // namespace
+
+void inflate(const Carving& carving, std::span<const Bone> bones, double fatness,
+             Grid3<float>& field) {
+  const PartView& view = *carving.views[0].view;
+  const FrameCamera& camera = view.camera;
+  const MiddlePlane plane = middle_plane(view, bones, carving.middle);
+  const double s = camera.pixels_per_unit(plane.at);
+  const double step = field.cell * s;  // pixels between the raster's samples
+  const Box2 box = view.outline.box();
+  const double margin = 3 * step + carving.views[0].grown;
+  const Vec2 origin = box.min() - Vec2::Constant(margin);
+  const int nx = int((box.sizes().x() + 2 * margin) / step) + 2;
+  const int ny = int((box.sizes().y() + 2 * margin) / step) + 2;
+  const Transform to_rest = view.to_world.inverse();
+  std::vector<float> distance(std::size_t(nx) * ny), u;
+  double deepest = 0;
+  for (int y = 0; y < ny; ++y)
+    for (int x = 0; x < nx; ++x) {
+      const Vec2 pixel = origin + step * Vec2(x, y);
+      const Vec3 X = camera.ray(pixel).at_z(plane.depth(pixel));
+      double outside = -std::numeric_limits<double>::infinity();
+      for (const Silhouette& silhouette : carving.views)
+        outside = std::max(outside, silhouette.distance(to_rest * X));
+      distance[std::size_t(y) * nx + x] = float(outside / field.cell);
+      deepest = std::max(deepest, -outside / field.cell);
+    }
+  solve_poisson(distance, nx, ny, u);
+  const float most = *std::max_element(u.begin(), u.end());
+  if (!(most > 0)) return;
+  // As thick at the thickest place as the widest ball inside the outline.
+  const double per_u = deepest * deepest / most;
+
+  for (int k = 0; k < field.size.z(); ++k)
+    for (int j = 0; j < field.size.y(); ++j)
+      for (int i = 0; i < field.size.x(); ++i) {
+        const Vec3 X = view.to_world * field.position(i, j, k);
+        if (!camera.in_front(X)) continue;
+        const Vec2 pixel = camera.project(X);
+        const Vec2 at = (pixel - origin) / step;
+        const int x = std::clamp(int(at.x()), 0, nx - 2), y = std::clamp(int(at.y()), 0, ny - 2);
+        const double wx = std::clamp(at.x() - x, 0.0, 1.0), wy = std::clamp(at.y() - y, 0.0, 1.0);
+        const float* v = &u[std::size_t(y) * nx + x];
+        const double low = (1 - wx) * v[0] + wx * v[1], high = (1 - wx) * v[nx] + wx * v[nx + 1];
+        const double here = per_u * ((1 - wy) * low + wy * high);
+        const Vec2 slope =
+            per_u * Vec2((1 - wy) * (v[1] - v[0]) + wy * (v[nx + 1] - v[nx]), high - low);
+        const double z = (X.z() - plane.depth(pixel)) / field.cell / fatness;
+        // z² − u over its gradient's length: the distance, to first order.
+        const double gradient = std::sqrt(4 * z * z / (fatness * fatness) + slope.squaredNorm());
+        const double d = (z * z - here) / std::max(gradient, 1e-3);
+        field(i, j, k) = std::max(field(i, j, k), float(d * field.cell));
+      }
+}
+
+}  // namespace artisketch

@@ -1,0 +1,35 @@
+// A part's surface by its contour rays: the default method. Steps in rays_field.
+#include <algorithm>
+
+#include "model/surface/rays_field.h"
+
+namespace artisketch {
+
+// Cells to which the part's distances go down. Strangers that lie in each other part where both are
+// as deep: deep inside a fat part a thin one would have no say, without any gradient neither has.
+constexpr float kDeepest = 6;
+
+Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options, Run& run) {
+  PartSurface out;
+  out.joint = part.joint;
+  if (options.visual_hull) {
+    Result<Grid3<float>> hull = visual_hull(part, options.grid, out.warnings, run);
+    if (!hull) return hull.error();
+    out.distance = std::move(*hull);
+  } else {
+    RaysFieldOptions field_options;
+    field_options.cells = options.grid;
+    Result<RaysField> field = rays_field(part, field_options, run);
+    if (!field) return field.error();
+    out.distance = std::move(field->distance);
+    out.warnings = std::move(field->warnings);
+  }
+  Result<Mesh> mesh = isosurface(out.distance);
+  if (!mesh) return mesh.error();
+  out.mesh = std::move(*mesh);
+  const float deepest = -kDeepest * float(out.distance.cell);
+  for (float& v : out.distance.values) v = std::max(v, deepest);
+  return out;
+}
+
+}  // namespace artisketch

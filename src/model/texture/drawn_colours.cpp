@@ -1,0 +1,288 @@
+#include "model/texture/drawn_colours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace artisketch {
+namespace {
+
+constexpr double kStep = 4;          // pixels of depth between neighbours that make an edge
+constexpr float kInkDarker = 0.08f;  // than what is beside it
+
+constexpr std::array<std::array<int, 2>, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
+Pixel pixel_of(const Picture& picture, std::size_t p) {
+  Pixel pixel;
+  std::copy_n(&picture.rgba[4 * p], 4, pixel.begin());
+  return pixel;
+}
+bool opaque(const Pixel& pixel) {
+  return pixel[3] >= 128;
+}
+bool alike(const Pixel& a, const Pixel& b) {
+  constexpr int kAlike = 24;  // per channel
+  for (int c = 0; c < 3; ++c)
+    if (std::abs(a[c] - b[c]) > kAlike) return false;
+  return true;
+}
+float lightness(const Pixel& pixel) {
+  return float(pixel[0] + pixel[1] + pixel[2]) / (3 * 255);
+}
+
+struct Span {
+  int begin = 0, end = 0;
+  int size() const { return end - begin; }
+};
+
+// The model over one drawing, while its colours are made.
+struct Overlay {
+  const Picture& picture;
+  const Mask& figure;
+  const Triangles& F;
+  Visible seen;
+  double pixel = 0;  // units
+  Span x, y;         // the pixels that the model lies in
+
+  std::size_t index(int x, int y) const { return std::size_t(y) * seen.width + x; }
+  bool inside(int x, int y) const {
+    return x >= 0 && y >= 0 && x < seen.width && y < seen.height && seen.face[index(x, y)] >= 0;
+  }
+  // Whether the surface runs on from one pixel to its neighbour.
+  bool runs_on(std::size_t p, std::size_t q) const {
+    const int f = seen.face[p], g = seen.face[q];
+    if (f < 0 || g < 0) return false;
+    if (f == g || std::abs(seen.depth[p] - seen.depth[q]) < kStep * pixel) return true;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (F(f, i) == F(g, j)) return true;
+    return false;
+  }
+};
+
+// The colour of most opaque pixels that the mask doesn't hold, if one prevails.
+std::optional<Pixel> paper_colour(const Picture& picture, const Mask& outlined) {
+  std::vector<int> count(16 * 16 * 16, 0), last(count.size());
+  int all = 0;
+  for (std::size_t p = 0; p < outlined.in.size(); ++p) {
+    const Pixel pixel = pixel_of(picture, p);
+    if (outlined.in[p] || !opaque(pixel)) continue;
+    const int bin = (pixel[0] / 16 * 16 + pixel[1] / 16) * 16 + pixel[2] / 16;
+    ++count[bin];
+    last[bin] = int(p);
+    ++all;
+  }
+  const auto most = std::max_element(count.begin(), count.end());
+  if (2 * *most <= all) return std::nullopt;
+  return pixel_of(picture, last[most - count.begin()]);
+}
+
+// The pixels that show the figure: opaque, in the frame's closed contours where it has any, and not
+// paper. Outlines run beyond the figure where a part's end is hidden; what they hold there looks
+// like paper and hangs together with it, along a short way: a white glove on white paper loses no
+// more than that, and gets it back from its middle.
+Mask figure_mask(const Frame& frame, const Picture& picture) {
+  constexpr double kWay = 0.04;  // of the drawing's larger side
+  Mask figure(frame.width, frame.height);
+  std::set<int> joints;
+  for (const Contour& contour : frame.contours)
+    if (contour.line.closed) joints.insert(contour.joint);
+  if (joints.empty()) std::fill(figure.in.begin(), figure.in.end(), std::uint8_t(1));
+  for (const int joint : joints) add_polygons(closed_contours(frame, joint), figure);
+  const std::optional<Pixel> paper = paper_colour(picture, figure);
+  std::vector<std::size_t> front;
+  for (std::size_t p = 0; p < figure.in.size(); ++p) {
+    const Pixel pixel = pixel_of(picture, p);
+    if (paper && !figure.in[p] && opaque(pixel) && alike(pixel, *paper)) front.push_back(p);
+    if (!opaque(pixel)) figure.in[p] = 0;
+  }
+  const int w = frame.width, h = frame.height;
+  for (int way = int(kWay * std::max(w, h)); way > 0 && !front.empty(); --way) {
+    std::vector<std::size_t> next;
+    for (const std::size_t p : front) {
+      const int x = int(p % w), y = int(p / w);
+      for (const auto& [dx, dy] : kBeside) {
+        if (x + dx < 0 || y + dy < 0 || x + dx >= w || y + dy >= h) continue;
+        const std::size_t q = p + std::ptrdiff_t(dy) * w + dx;
+        if (!figure.in[q] || !alike(pixel_of(picture, q), *paper)) continue;
+        figure.in[q] = 0;
+        next.push_back(q);
+      }
+    }
+    front = std::move(next);
+  }
+  return figure;
+}
+
+Overlay overlay_of(const Picture& picture, const Mask& figure, const Triangles& F, Visible seen,
+                   double pixel) {
+  Overlay o{picture, figure, F, std::move(seen), pixel, {}, {}};
+  o.x = {o.seen.width, 0};
+  o.y = {o.seen.height, 0};
+  for (int y = 0; y < o.seen.height; ++y) {
+    const auto row = o.seen.face.begin() + std::ptrdiff_t(o.index(0, y));
+    const auto shown = [](int face) { return face >= 0; };
+    const int first = int(std::find_if(row, row + o.seen.width, shown) - row);
+    if (first == o.seen.width) continue;
+    int last = o.seen.width;
+    while (!shown(row[last - 1])) --last;
+    o.x = {std::min(o.x.begin, first), std::max(o.x.end, last)};
+    o.y = {std::min(o.y.begin, y), y + 1};
+  }
+  if (o.x.size() < 0) o.x = o.y = {};
+  return o;
+}
+
+// Pixels from each pixel of the model to the nearest outline of what is drawn of it, 0 where
+// nothing is: chamfer distances (Borgefors 1986).
+std::vector<float> outline_distances(const Overlay& o) {
+  const int w = o.seen.width, h = o.seen.height;
+  constexpr float kDiagonal = 1.414f;
+  std::vector<float> distance(o.seen.face.size(), 0.0f);
+  const auto shows = [&](int x, int y) { return o.inside(x, y) && o.figure.at(x, y); };
+  const auto mark = [&](std::size_t p) { distance[p] = std::min(distance[p], 0.5f); };
+  for (int y = o.y.begin; y < o.y.end; ++y)
+    for (int x = o.x.begin; x < o.x.end; ++x) {
+      if (!shows(x, y)) continue;
+      const std::size_t p = o.index(x, y);
+      distance[p] = std::numeric_limits<float>::max();
+      if (!shows(x - 1, y) || !shows(x + 1, y) || !shows(x, y - 1) || !shows(x, y + 1)) mark(p);
+      if (shows(x - 1, y) && !o.runs_on(p, p - 1)) mark(p), mark(p - 1);
+      if (shows(x, y - 1) && !o.runs_on(p, p - w)) mark(p), mark(p - w);
+    }
+  const auto relax = [&](int x, int y, int sign) {
+    float& d = distance[o.index(x, y)];
+    if (d <= 0.5f) return;  // an outline, or beside the model
+    for (const auto& [dx, dy, step] : {std::tuple(-1, 0, 1.0f), std::tuple(0, -1, 1.0f),
+                                       std::tuple(-1, -1, kDiagonal), std::tuple(1, -1, kDiagonal)})
+      if (const int u = x + sign * dx, v = y + sign * dy; u >= 0 && v >= 0 && u < w && v < h)
+        d = std::min(d, distance[o.index(u, v)] + step);
+  };
+  for (int y = o.y.begin; y < o.y.end; ++y)
+    for (int x = o.x.begin; x < o.x.end; ++x) relax(x, y, 1);
+  for (int y = o.y.end; y-- > o.y.begin;)
+    for (int x = o.x.end; x-- > o.x.begin;) relax(x, y, -1);
+  return distance;
+}
+
+// How far, in pixels, the ink along outlines reaches into the model: to where the drawing is, on
+// average, nearly as bright as farther in.
+float ink_width(const Overlay& o, const std::vector<float>& distance) {
+  constexpr int kBins = 24;
+  constexpr double kAsBright = 0.85;
+  std::array<double, kBins> light = {}, count = {};
+  for (std::size_t p = 0; p < distance.size(); ++p) {
+    if (o.seen.face[p] < 0 || !o.figure.in[p] || distance[p] >= kBins) continue;
+    light[std::size_t(distance[p])] += lightness(pixel_of(o.picture, p));
+    count[std::size_t(distance[p])] += 1;
+  }
+  double within = 0, pixels = 0;
+  for (int b = kBins / 3; b < kBins; ++b) within += light[b], pixels += count[b];
+  int b = 0;
+  while (b < kBins / 3 && light[b] * pixels < kAsBright * within * count[b]) ++b;
+  // The drawn line and the model's outline are a pixel apart here and there.
+  return float(b) + 1.5f;
+}
+
+// Spreads colours to the pixels of the model that have none, without crossing an outline.
+void spread(const Overlay& o, std::vector<Pixel>& colour, std::vector<std::uint8_t>& state) {
+  std::vector<std::array<int, 2>> queue;  // coloured, beside what isn't yet
+  for (int y = o.y.begin; y < o.y.end; ++y)
+    for (int x = o.x.begin; x < o.x.end; ++x)
+      if (state[o.index(x, y)] == Sketch::drawn &&
+          std::any_of(kBeside.begin(), kBeside.end(), [&](const auto& to) {
+            return o.inside(x + to[0], y + to[1]) &&
+                   state[o.index(x + to[0], y + to[1])] == Sketch::nothing;
+          }))
+        queue.push_back({x, y});
+  for (std::size_t head = 0; head < queue.size(); ++head) {
+    const int x = queue[head][0], y = queue[head][1];
+    const std::size_t p = o.index(x, y);
+    for (const auto& [dx, dy] : kBeside) {
+      if (!o.inside(x + dx, y + dy)) continue;
+      const std::size_t q = o.index(x + dx, y + dy);
+      if (state[q] != Sketch::nothing || !o.runs_on(p, q)) continue;
+      colour[q] = colour[p];
+      state[q] = Sketch::pulled;
+      queue.push_back({x + dx, y + dy});
+    }
+  }
+}
+
+// The most (or least) of the columns within r of each, transposed. Two of the largest windows that
+// doubling makes cover each; what is nearer than r to the first or last column is left undefined.
+template <class Better>
+Eigen::ArrayXXf columns_within(Eigen::ArrayXXf a, int r, const Better& better) {
+  const Eigen::Index n = a.cols();
+  Eigen::Index window = 1;  // of column i: the best of [i, i + window)
+  for (; 2 * window <= 2 * r + 1; window *= 2)
+    for (Eigen::Index i = 0; i + window < n; ++i) better(a.col(i), a.col(i + window), a.col(i));
+  Eigen::ArrayXXf out(a.rows(), n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    better(a.col(std::max<Eigen::Index>(i - r, 0)),
+           a.col(std::clamp<Eigen::Index>(i + r + 1 - window, 0, n - 1)), out.col(i));
+  return out.transpose();
+}
+
+// Morphological closing by a square of side 2 r + 1: what is dark and thinner than that is filled.
+// The outermost r rows and columns have to be light.
+Eigen::ArrayXXf without_thin_dark(Eigen::ArrayXXf light, int r) {
+  const auto most = [](const auto& a, const auto& b, auto&& out) { out = a.max(b); };
+  const auto least = [](const auto& a, const auto& b, auto&& out) { out = a.min(b); };
+  for (int axis = 0; axis < 2; ++axis) light = columns_within(std::move(light), r, most);
+  for (int axis = 0; axis < 2; ++axis) light = columns_within(std::move(light), r, least);
+  return light;
+}
+
+}  // namespace
+
+void fill_colours(const Frame& frame, const Picture& picture, const Triangles& F, Visible seen,
+                  double pixel, Sketch& sketch) {
+  const Mask figure = figure_mask(frame, picture);
+  const Overlay o = overlay_of(picture, figure, F, std::move(seen), pixel);
+  sketch.width = frame.width;
+  sketch.height = frame.height;
+  const std::vector<float> distance = outline_distances(o);
+  const float ink = ink_width(o, distance);
+  sketch.colour.assign(distance.size(), Pixel{});
+  sketch.state.assign(distance.size(), Sketch::nothing);
+  // The middle of what is thinner than two lines of ink is still its best colour.
+  const auto in_the_middle = [&](int x, int y) {
+    const float d = distance[o.index(x, y)];
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, sketch.height - 1); ++v)
+      for (int u = std::max(x - 1, 0); u <= std::min(x + 1, sketch.width - 1); ++u)
+        if (distance[o.index(u, v)] > d) return false;
+    return d > 1;
+  };
+  for (int y = o.y.begin; y < o.y.end; ++y)
+    for (int x = o.x.begin; x < o.x.end; ++x) {
+      const std::size_t p = o.index(x, y);
+      if (!o.inside(x, y) || !o.figure.in[p]) continue;
+      if (distance[p] < ink && !in_the_middle(x, y)) continue;
+      sketch.colour[p] = pixel_of(o.picture, p);
+      sketch.state[p] = Sketch::drawn;
+    }
+  spread(o, sketch.colour, sketch.state);
+  sketch.plain = sketch.colour;
+  std::vector<std::uint8_t> state = sketch.state;
+  const int r = int(ink);
+  const auto each = [&](Eigen::ArrayXXf& values, const auto& visit) {
+    for (int y = o.y.begin; y < o.y.end; ++y)
+      for (int x = o.x.begin; x < o.x.end; ++x)
+        visit(o.index(x, y), values(x - o.x.begin + r, y - o.y.begin + r));
+  };
+  // All is light beside the model, so that a line along its edge is thin, too.
+  Eigen::ArrayXXf light = Eigen::ArrayXXf::Ones(o.x.size() + 2 * r, o.y.size() + 2 * r);
+  each(light, [&](std::size_t p, float& here) {
+    if (state[p] != Sketch::nothing) here = lightness(sketch.colour[p]);
+  });
+  Eigen::ArrayXXf darker = without_thin_dark(light, r) - light;
+  each(darker, [&](std::size_t p, float by) {
+    if (state[p] == Sketch::pulled || by > kInkDarker) state[p] = Sketch::nothing;
+  });
+  spread(o, sketch.plain, state);
+  sketch.depth = o.seen.depth;
+}
+
+}  // namespace artisketch

@@ -1,0 +1,182 @@
+#include "model/texture/drawn_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/texture/drawn_colours.h"
+
+namespace artisketch {
+namespace {
+
+constexpr double kLeastFacing = 0.1;    // cosine; nearer to grazing, a drawing shows a smear
+constexpr double kReach = 12;           // pixels of depth that still count as on the surface
+constexpr double kMirrorReach = 0.04;   // of the figure's size: how unlike its two sides may be
+constexpr float kPulledQuality = 0.4f;  // of a triangle whose colour comes from farther inside
+constexpr float kSquarely = 0.5f;       // quality: what is seen less well takes no lines of ink
+
+double camera_depth(const FrameCamera& camera, const Vec3& X) {
+  return (camera.camera.type == Camera::Type::perspective ? camera.camera.distance : 0) - X.z();
+}
+
+void project(const Points3& V, const FrameCamera& camera, SurfaceView& view) {
+  view.pixels.resize(V.rows());
+  view.depth.resize(V.rows());
+  for (int v = 0; v < V.rows(); ++v) {
+    const Vec3 X = V.row(v).transpose();
+    const bool shown = X.allFinite() && camera.in_front(X);
+    view.pixels[v] =
+        shown ? camera.project(X) : Vec2(Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
+    view.depth[v] = camera_depth(camera, X);
+  }
+}
+
+// The model's other half: every vertex reflected in the rest pose, and bound to its joints' mirror
+// images. `has`: whether all its joints have one.
+struct MirrorImage {
+  Points3 V;
+  Weights weights;
+  std::vector<bool> has;
+};
+MirrorImage mirror_image(const Model& model) {
+  MirrorImage out{model.mesh.V, model.weights, std::vector<bool>(model.mesh.V.rows(), true)};
+  const double middle = model.skeleton.joints[0].offset.x();
+  for (int v = 0; v < out.V.rows(); ++v) {
+    out.V(v, 0) = 2 * middle - out.V(v, 0);
+    for (int k = 0; k < 4; ++k) {
+      if (out.weights.weights(v, k) == 0) continue;
+      const int other = model.skeleton.joints[out.weights.joints(v, k)].mirror;
+      if (other >= 0)
+        out.weights.joints(v, k) = other;
+      else
+        out.has[v] = false;
+    }
+  }
+  return out;
+}
+
+// Judges every triangle of a view. V: world places of the vertices, reflected where view.mirrored.
+void judge(const Points3& V, const Triangles& F, const FrameCamera& camera, const Sketch& sketch,
+           double finest, SurfaceView& view) {
+  view.quality.assign(F.rows(), 0.0f);
+  for (int f = 0; f < F.rows(); ++f) {
+    const Vec3 a = V.row(F(f, 0)).transpose(), b = V.row(F(f, 1)).transpose(),
+               c = V.row(F(f, 2)).transpose(), centre = (a + b + c) / 3;
+    if (!camera.in_front(a) || !camera.in_front(b) || !camera.in_front(c)) continue;
+    const Vec3 normal = (view.mirrored ? -1 : 1) * (b - a).cross(c - a).normalized();
+    const Vec3 to_camera = camera.camera.type == Camera::Type::perspective
+                               ? Vec3((Vec3(0, 0, camera.camera.distance) - centre).normalized())
+                               : Vec3(0, 0, 1);
+    const double facing = normal.dot(to_camera);
+    if (!(facing > kLeastFacing)) continue;
+    const double scale = camera.pixels_per_unit(centre.z());
+    const double slope = std::sqrt(1 - std::min(facing * facing, 1.0)) / facing;
+    const double reach = view.mirrored ? view.reach : 1.5 * (1 + slope) / scale;
+    bool seen = true, pulled = false;
+    for (int i = 0; i < 4 && seen; ++i) {
+      // The middle, and three places near the corners.
+      const Vec3 w =
+          i == 3 ? Vec3(Vec3::Constant(1 / 3.0)) : Vec3(Vec3::Constant(0.1) + 0.7 * Vec3::Unit(i));
+      Vec2 p = Vec2::Zero();
+      double depth = 0;
+      for (int k = 0; k < 3; ++k) {
+        p += w[k] * view.pixels[F(f, k)];
+        depth += w[k] * view.depth[F(f, k)];
+      }
+      seen = p.x() >= 0 && p.y() >= 0 && p.x() < sketch.width && p.y() < sketch.height;
+      if (!seen) break;
+      const std::size_t at = std::size_t(p.y()) * sketch.width + std::size_t(p.x());
+      seen = sketch.state[at] != Sketch::nothing && std::abs(depth - sketch.depth[at]) <= reach;
+      pulled = pulled || sketch.state[at] == Sketch::pulled;
+    }
+    if (seen)
+      view.quality[f] =
+          std::max(float(facing * scale / finest), 0.01f) * (pulled ? kPulledQuality : 1);
+  }
+}
+
+}  // namespace
+
+std::optional<Rgb> Sketch::at(const std::vector<Pixel>& colours, const Vec2& pixel,
+                              double depth_there, double reach) const {
+  const Vec2 p = pixel - Vec2::Constant(0.5);
+  if (!(p.x() > -1 && p.y() > -1 && p.x() < width && p.y() < height)) return std::nullopt;
+  const int x = int(std::floor(p.x())), y = int(std::floor(p.y()));
+  const float wx = float(p.x() - x), wy = float(p.y() - y);
+  Rgb sum = Rgb::Zero();
+  float all = 0;
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 2; ++i) {
+      const int u = x + i, v = y + j;
+      if (u < 0 || v < 0 || u >= width || v >= height) continue;
+      const std::size_t at = std::size_t(v) * width + u;
+      const float w = (i ? wx : 1 - wx) * (j ? wy : 1 - wy);
+      if (w <= 0 || state[at] == nothing || !(std::abs(depth[at] - depth_there) <= reach)) continue;
+      sum += w * Rgb(colours[at][0], colours[at][1], colours[at][2]);
+      all += w;
+    }
+  if (all <= 0) return std::nullopt;
+  return Rgb(sum / (255 * all));
+}
+
+std::optional<Rgb> SurfaceView::colour(const std::vector<Sketch>& sketches, const Triangles& F,
+                                       int face, const Vec3& weights) const {
+  Vec2 p = Vec2::Zero();
+  double d = 0;
+  for (int k = 0; k < 3; ++k) {
+    p += weights[k] * pixels[F(face, k)];
+    d += weights[k] * depth[F(face, k)];
+  }
+  if (!p.allFinite()) return std::nullopt;
+  const Sketch& drawn = sketches[sketch];
+  return drawn.at(quality[face] < kSquarely ? drawn.plain : drawn.colour, p, d, reach);
+}
+
+Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const Picture> drawings,
+                                   const Model& model, Run& run) {
+  DrawnSurface out;
+  const Triangles& F = model.mesh.F;
+  const MirrorImage mirror = mirror_image(model);
+  const double size = bounds(model.mesh.V).sizes().norm();
+  double finest = 0;
+  for (int f = 0; f < int(calibrated.frames.size()); ++f)
+    finest = std::max(finest, frame_camera(calibrated, f).pixels_per_unit(0));
+  std::vector<SurfaceView> mirrored;
+  for (int f = 0; f < int(drawings.size()) && f < int(calibrated.frames.size()); ++f) {
+    const Frame& frame = calibrated.frames[f];
+    if (drawings[f].width != frame.width || drawings[f].height != frame.height) continue;
+    if (run.cancelled()) return cancelled();
+    const FrameCamera camera = frame_camera(calibrated, f);
+    const double pixel = 1 / camera.pixels_per_unit(frame.pose.root_position.z());
+    Points3 V = posed_vertices(model.mesh.V, model.weights, model.skeleton, frame.pose);
+    SurfaceView view;
+    view.sketch = int(out.sketches.size());
+    view.reach = kReach * pixel;
+    project(V, camera, view);
+    const bool perspective = camera.camera.type == Camera::Type::perspective;
+    Sketch& sketch = out.sketches.emplace_back();
+    fill_colours(frame, drawings[f], F,
+                 raster_triangles(
+                     view.pixels, view.depth,
+                     perspective ? std::span<const double>(view.depth) : std::span<const double>(),
+                     F, frame.width, frame.height),
+                 pixel, sketch);
+    judge(V, F, camera, sketch, finest, view);
+    out.views.push_back(view);
+
+    view.mirrored = true;
+    view.reach = kMirrorReach * size;
+    V = posed_vertices(mirror.V, mirror.weights, model.skeleton, frame.pose);
+    project(V, camera, view);
+    judge(V, F, camera, sketch, finest, view);
+    for (int t = 0; t < F.rows(); ++t)
+      for (int k = 0; k < 3; ++k)
+        if (!mirror.has[F(t, k)]) view.quality[t] = 0;
+    mirrored.push_back(std::move(view));
+    run.report(0.5 * (f + 1) / double(drawings.size()));
+  }
+  out.views.insert(out.views.end(), mirrored.begin(), mirrored.end());
+  return out;
+}
+
+}  // namespace artisketch

@@ -1,0 +1,251 @@
+// The drawings' colours on the model: the view that shows a triangle best paints it, views fade
+// into each other where they meet, and what none shows takes the colour of what surrounds it.
+#include <algorithm>
+#include <cmath>
+
+#include "base/raster.h"
+#include "model/texture/atlas.h"
+
+namespace artisketch {
+namespace {
+
+constexpr int kFadeRounds = 2;        // rings of triangles over which views fade into each other
+constexpr int kDiffuseRounds = 60;    // of the colours into what no view shows
+constexpr double kPlainScale = 0.35;  // texels of what no view shows, per pixel: it has no detail
+
+// How much each view has of the paint at each vertex, #V×#views; what is missing to 1 is the
+// vertex' own plain colour.
+class Fades {
+ public:
+  Fades(const Mesh& mesh, const Adjacency& beside, const std::vector<int>& chosen,
+        const DrawnSurface& surface)
+      : views_(int(surface.views.size())) {
+    const Eigen::Index n = mesh.V.rows();
+    // A view may fade in only where it shows everything round the vertex.
+    Eigen::ArrayXXf open = Eigen::ArrayXXf::Ones(views_, n);
+    share_.setZero(views_, n);
+    for (int f = 0; f < mesh.F.rows(); ++f)
+      for (int k = 0; k < 3; ++k) {
+        for (int v = 0; v < views_; ++v)
+          if (surface.views[v].quality[f] <= 0) open(v, mesh.F(f, k)) = 0;
+        if (chosen[f] >= 0) share_(chosen[f], mesh.F(f, k)) += 1;
+      }
+    normalise(open);
+    for (int round = 0; round < kFadeRounds; ++round) {
+      const Eigen::ArrayXXf before = share_;
+      for (int i = 0; i < n; ++i)
+        for (const int j : beside.of(i)) share_.col(i) += before.col(j);
+      normalise(open);
+    }
+  }
+  int views() const { return views_; }
+  float share(int view, int vertex) const { return share_(view, vertex); }
+
+ private:
+  void normalise(const Eigen::ArrayXXf& open) {
+    share_ *= open;
+    for (Eigen::Index v = 0; v < share_.cols(); ++v)
+      if (const float sum = share_.col(v).sum(); sum > 0) share_.col(v) /= sum;
+  }
+  int views_;
+  Eigen::ArrayXXf share_;
+};
+
+// One colour per vertex: what the views that paint round it show there, and diffused from there
+// over those round which nothing is painted: within a part first, then from the parts beside it.
+std::vector<Rgb> plain_colours(const Model& model, const Adjacency& beside,
+                               const std::vector<int>& chosen, const DrawnSurface& surface) {
+  constexpr float kAcross = 0.02f;  // of a neighbour that belongs to another part
+  const Mesh& mesh = model.mesh;
+  const Eigen::Index n = mesh.V.rows();
+  std::vector<Rgb> colour(n, Rgb::Zero());
+  std::vector<float> seen(n, 0.0f);
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    if (chosen[f] < 0) continue;
+    for (int k = 0; k < 3; ++k) {
+      // A little inside, where it is sure to be the triangle that is seen.
+      const Vec3 w = Vec3::Constant(0.1) + 0.7 * Vec3::Unit(k);
+      const auto c = surface.views[chosen[f]].colour(surface.sketches, mesh.F, f, w);
+      if (!c) continue;
+      colour[mesh.F(f, k)] += *c;
+      seen[mesh.F(f, k)] += 1;
+    }
+  }
+  std::vector<int> order;
+  std::vector<std::uint8_t> reached(n, 0);
+  for (int v = 0; v < n; ++v)
+    if (seen[v] > 0) {
+      colour[v] /= seen[v];
+      reached[v] = 1;
+      order.push_back(v);
+    }
+  const std::size_t known = order.size();
+  // What no painted surface leads to has the mean of all colours.
+  Rgb mean = Rgb::Zero();
+  for (const int v : order) mean += colour[v] / float(known);
+  for (int v = 0; v < n; ++v)
+    if (!reached[v]) colour[v] = mean;
+  const auto same_part = [&](int u, int v) {
+    return model.weights.joints(u, 0) == model.weights.joints(v, 0);
+  };
+  for (const bool across : {false, true})
+    for (std::size_t head = 0; head < order.size(); ++head)
+      for (const int u : beside.of(order[head])) {
+        if (reached[u] || !(across || same_part(u, order[head]))) continue;
+        reached[u] = 1;
+        colour[u] = colour[order[head]];
+        order.push_back(u);
+      }
+  for (int round = 0; round < kDiffuseRounds; ++round)
+    for (std::size_t i = known; i < order.size(); ++i) {
+      Rgb sum = Rgb::Zero();
+      float all = 0;
+      for (const int u : beside.of(order[i])) {
+        const float share = same_part(u, order[i]) ? 1 : kAcross;
+        sum += share * colour[u];
+        all += share;
+      }
+      colour[order[i]] = sum / all;
+    }
+  return colour;
+}
+
+// The colours of one triangle after another.
+class Painter {
+ public:
+  Painter(const Mesh& mesh, const DrawnSurface& surface, const Fades& fades,
+          const std::vector<Rgb>& plain)
+      : mesh_(mesh), surface_(surface), fades_(fades), plain_(plain) {}
+
+  void begin(int face) {
+    face_ = face;
+    views_.clear();
+    for (int v = 0; v < fades_.views(); ++v) {
+      View view{v, {}};
+      for (int k = 0; k < 3; ++k) view.shares[k] = fades_.share(v, mesh_.F(face, k));
+      if (view.shares.maxCoeff() > kLeastShare) views_.push_back(view);
+    }
+  }
+  Rgb at(const Vec3& weights) const {
+    Rgb sum = Rgb::Zero();
+    float all = 0;
+    for (const View& view : views_) {
+      const float share = view.shares.dot(weights.cast<float>());
+      if (share <= kLeastShare) continue;
+      const SurfaceView& shown = surface_.views[view.index];
+      if (const auto c = shown.colour(surface_.sketches, mesh_.F, face_, weights)) {
+        sum += share * *c;
+        all += share;
+      }
+    }
+    if (all >= 1 - 1e-3f) return sum / all;
+    Rgb plain = Rgb::Zero();
+    for (int k = 0; k < 3; ++k) plain += float(weights[k]) * plain_[mesh_.F(face_, k)];
+    return sum + (1 - all) * plain;
+  }
+
+ private:
+  static constexpr float kLeastShare = 1e-4f;
+  struct View {
+    int index;
+    Eigen::Vector3f shares;  // at the triangle's corners
+  };
+  const Mesh& mesh_;
+  const DrawnSurface& surface_;
+  const Fades& fades_;
+  const std::vector<Rgb>& plain_;
+  int face_ = 0;
+  std::vector<View> views_;
+};
+
+// The atlas' vertices along the borders of charts.
+std::vector<std::uint8_t> border_vertices(const Atlas& atlas, const FaceNeighbours& neighbours) {
+  std::vector<std::uint8_t> border(atlas.vertex.size(), 0);
+  for (int f = 0; f < atlas.corners.rows(); ++f)
+    for (int k = 0; k < 3; ++k)
+      if (const int g = neighbours[f][k]; g < 0 || atlas.chart[g] != atlas.chart[f])
+        border[atlas.corners(f, k)] = border[atlas.corners(f, (k + 1) % 3)] = 1;
+  return border;
+}
+
+Texture paint(const Atlas& atlas, const FaceNeighbours& neighbours, Painter painter) {
+  Texture picture{atlas.width, atlas.height, {}};
+  picture.rgba.resize(4 * std::size_t(atlas.width) * atlas.height, 0);  // not yet painted
+  const std::vector<std::uint8_t> border = border_vertices(atlas, neighbours);
+  // Texels up to so far off a chart are mixed into it: they are painted too, unless another has.
+  constexpr double kRound = 0.75;
+  for (const bool round : {false, true})
+    for (int f = 0; f < atlas.corners.rows(); ++f) {
+      const auto corner = atlas.corners.row(f);
+      if (round && !(border[corner[0]] || border[corner[1]] || border[corner[2]])) continue;
+      const Vec2 &a = atlas.texels[corner[0]], &b = atlas.texels[corner[1]],
+                 &c = atlas.texels[corner[2]];
+      Box2 box(a);
+      box.extend(b).extend(c);
+      const double margin = round ? kRound : 0;
+      const Vec2 d = b - a, e = c - a;
+      const double per_area = 1 / (d.x() * e.y() - d.y() * e.x());
+      painter.begin(f);
+      for (int y = int(box.min().y() - margin); y <= int(box.max().y() + margin); ++y)
+        for (int x = int(box.min().x() - margin); x <= int(box.max().x() + margin); ++x) {
+          unsigned char* texel = &picture.rgba[4 * (std::size_t(y) * atlas.width + x)];
+          if (texel[3] > 0) continue;
+          const Vec2 centre(x + 0.5, y + 0.5), p = centre - a;
+          const double u = (p.x() * e.y() - p.y() * e.x()) * per_area,
+                       v = (d.x() * p.y() - d.y() * p.x()) * per_area;
+          Vec3 weights(1 - u - v, u, v);
+          if (round) {
+            weights = corner_weights(centre, a, b, c, Vec3::Ones());
+            const Vec2 nearest = weights[0] * a + weights[1] * b + weights[2] * c;
+            if (!((nearest - centre).norm() <= kRound)) continue;
+          } else if (!(weights.minCoeff() >= 0)) {
+            continue;
+          }
+          const Rgb colour = painter.at(weights);
+          for (int k = 0; k < 3; ++k)
+            texel[k] = (unsigned char)(255 * std::clamp(colour[k], 0.0f, 1.0f) + 0.5f);
+          texel[3] = 255;
+        }
+    }
+  fill_gutters(picture);
+  return picture;
+}
+
+}  // namespace
+
+Result<Model> textured(const Document& calibrated, std::span<const Picture> drawings,
+                       const Model& model, Run& run) {
+  const Result<DrawnSurface> surface = drawn_surface(calibrated, drawings, model, run);
+  if (!surface) return surface.error();
+  const FaceNeighbours neighbours = face_neighbours(model.mesh.F);
+  const std::vector<int> chosen = choose_views(model.mesh, neighbours, *surface);
+  if (std::all_of(chosen.begin(), chosen.end(), [](int view) { return view < 0; })) return model;
+  if (run.cancelled()) return cancelled();
+  run.report(0.7);
+  const Adjacency beside = vertex_adjacency(model.mesh);
+  const Fades fades(model.mesh, beside, chosen, *surface);
+  const std::vector<Rgb> plain = plain_colours(model, beside, chosen, *surface);
+  const Atlas atlas =
+      make_atlas(model.mesh, neighbours, chosen, *surface, kPlainScale / pixel_size(calibrated));
+  if (run.cancelled()) return cancelled();
+  run.report(0.8);
+
+  Model out = model;
+  const Eigen::Index n = Eigen::Index(atlas.vertex.size());
+  out.mesh.V.resize(n, 3);
+  out.mesh.F = atlas.corners;
+  out.weights.joints.resize(n, 4);
+  out.weights.weights.resize(n, 4);
+  out.texcoords.clear();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    out.mesh.V.row(i) = model.mesh.V.row(atlas.vertex[i]);
+    out.weights.joints.row(i) = model.weights.joints.row(atlas.vertex[i]);
+    out.weights.weights.row(i) = model.weights.weights.row(atlas.vertex[i]);
+    out.texcoords.push_back(atlas.texels[i].cwiseQuotient(Vec2(atlas.width, atlas.height)));
+  }
+  out.texture = paint(atlas, neighbours, Painter(model.mesh, *surface, fades, plain));
+  run.report(1);
+  return out;
+}
+
+}  // namespace artisketch

@@ -1,0 +1,240 @@
+#include <atomic>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "model/drawn_parts.h"
+#include "model/stages.h"
+
+namespace artisketch {
+namespace {
+
+using drawn::ellipse;
+using drawn::from_above;
+using drawn::from_front;
+using drawn::from_right;
+using drawn::rectangle;
+
+PartSurface surface_of(const Part& part, int grid = 48) {
+  artisketch::Run run;
+  const Result<PartSurface> surface = surface_rays(part, {Method::rays, grid, false}, run);
+  EXPECT_TRUE(surface) << (surface ? "" : surface.error().text());
+  return *surface;
+}
+
+void expect_sound(const PartSurface& surface, int genus = 0) {
+  const Topology t = topology(surface.mesh);
+  EXPECT_TRUE(t.manifold());
+  EXPECT_EQ(t.components, 1);
+  EXPECT_EQ(t.genus(), genus);
+  EXPECT_GT(signed_volume(surface.mesh), 0);
+}
+
+void expect_silhouettes(const Part& part, const Mesh& mesh, double least) {
+  for (const PartView& view : part.views)
+    EXPECT_GT(drawn::silhouette_fit(view, mesh), least) << "frame " << view.frame;
+}
+
+double hull_volume(const Part& part, int grid = 48) {
+  return signed_volume(*isosurface(drawn::hull_of(part, grid)));
+}
+
+TEST(SurfaceRays, TwoCirclesGiveASphere) {
+  const PartSurface surface = surface_of(drawn::two_circles(), 100);
+  expect_sound(surface);
+  double mean = 0;
+  for (int v = 0; v < surface.mesh.V.rows(); ++v) {
+    const double error = std::abs(surface.mesh.V.row(v).norm() - 1);
+    EXPECT_LT(error, 0.02);
+    mean += error / double(surface.mesh.V.rows());
+  }
+  EXPECT_LT(mean, 0.005);
+  EXPECT_NEAR(signed_volume(surface.mesh), 4 * kPi / 3, 0.01 * 4 * kPi / 3);
+}
+
+// Cones that open so fast leave a hull far larger than the ball.
+TEST(SurfaceRays, ABallDrawnFromNearIsABall) {
+  for (const double distance : {2.0, 3.0}) {
+    const Part part = drawn::near_ball(distance);
+    const PartSurface surface = surface_of(part, 64);
+    expect_sound(surface);
+    expect_silhouettes(part, surface.mesh, 0.99);
+    double mean = 0;
+    for (int v = 0; v < surface.mesh.V.rows(); ++v)
+      mean += std::abs(surface.mesh.V.row(v).norm() - 1) / double(surface.mesh.V.rows());
+    EXPECT_LT(mean, 0.55 / std::pow(distance, 3)) << "from " << distance;
+  }
+}
+
+TEST(SurfaceRays, ThreeEllipsesGiveAnEllipsoid) {
+  const Part part = drawn::part({{from_front(), {ellipse(0.8, 1)}, {}},
+                                 {from_right(), {ellipse(0.5, 1)}, {}},
+                                 {from_above(), {ellipse(0.8, 0.5)}, {}}});
+  const PartSurface surface = surface_of(part, 64);
+  expect_sound(surface);
+  const double truth = 4 * kPi / 3 * 0.8 * 0.5;
+  EXPECT_NEAR(signed_volume(surface.mesh), truth, 0.01 * truth);
+  expect_silhouettes(part, surface.mesh, 0.99);
+}
+
+// Hearts from the front and from the side, as the paper's figure 5.
+TEST(SurfaceRays, HeartsKeepTheirSilhouettesInLessThanTheHull) {
+  drawn::Outline heart;
+  for (int i = 0; i < 200; ++i) {
+    const double t = 2 * kPi * i / 200;
+    heart.push_back(
+        {std::pow(std::sin(t), 3),
+         (13 * std::cos(t) - 5 * std::cos(2 * t) - 2 * std::cos(3 * t) - std::cos(4 * t)) / 16});
+  }
+  const Part part = drawn::part({{from_front(), {heart}, {}}, {from_right(), {heart}, {}}}, 150);
+  const PartSurface surface = surface_of(part, 100);
+  expect_sound(surface);
+  expect_silhouettes(part, surface.mesh, 0.99);
+  EXPECT_LT(signed_volume(surface.mesh), 0.93 * hull_volume(part, 100));
+}
+
+TEST(SurfaceRays, ARingKeepsItsHole) {
+  const Part part = drawn::ring();
+  const PartSurface surface = surface_of(part, 64);
+  expect_sound(surface, 1);
+  expect_silhouettes(part, surface.mesh, 0.97);
+}
+
+TEST(SurfaceRays, ABladeStaysOnePiece) {
+  const Quat askew(Eigen::AngleAxisd(0.6, Vec3(1, 2, 3).normalized()));
+  const Part part = drawn::part(
+      {{askew, {rectangle(0.08, 1)}, {}}, {from_right() * askew, {rectangle(0.02, 1)}, {}}}, 200);
+  const PartSurface surface = surface_of(part, 100);
+  expect_sound(surface);
+  EXPECT_GT(bounds(surface.mesh.V).sizes().norm(), 1.8);
+  EXPECT_GT(drawn::silhouette_fit(part.views[0], surface.mesh), 0.94);
+}
+
+TEST(SurfaceRays, LongAndFlatParts) {
+  const Part staff = drawn::part(
+      {{from_front(), {ellipse(0.05, 2)}, {}}, {from_right(), {ellipse(0.05, 2)}, {}}}, 120);
+  expect_sound(surface_of(staff));
+  const Part plate =
+      drawn::part({{from_front(), {ellipse(1, 1)}, {}}, {from_right(), {ellipse(0.08, 1)}, {}}});
+  const PartSurface flat = surface_of(plate, 64);
+  expect_sound(flat);
+  expect_silhouettes(plate, flat.mesh, 0.97);
+}
+
+TEST(SurfaceRays, WhatIsSeenFromOneDirectionIsRound) {
+  const Part part = drawn::part({{from_front(), {ellipse(0.5, 0.5)}, {}}});
+  const PartSurface surface = surface_of(part);
+  expect_sound(surface);
+  expect_silhouettes(part, surface.mesh, 0.98);
+  EXPECT_NEAR(bounds(surface.mesh.V).sizes().z(), 1, 0.15);
+}
+
+TEST(SurfaceRays, StrokesAloneAreNoPartButDoNotHurtOne) {
+  artisketch::Run run;
+  const drawn::Outline stroke = {{0, 0}, {0.5, 0.5}, {1, 0}};
+  const auto none =
+      surface_rays(drawn::part({{from_front(), {}, {stroke}}}), {Method::rays, 32, false}, run);
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().text().find("part"), std::string::npos);
+  const PartSurface with = surface_of(drawn::part(
+      {{from_front(), {ellipse(1, 1)}, {stroke}}, {from_right(), {ellipse(1, 1)}, {}}}));
+  EXPECT_NEAR(signed_volume(with.mesh), 4 * kPi / 3, 0.02 * 4 * kPi / 3);
+}
+
+// The side view says 4 pixels less at the top and at the bottom than the front view.
+TEST(SurfaceRays, ViewsThatDisagreeByPixelsGiveABodyBetweenThem) {
+  const Part part =
+      drawn::part({{from_front(), {ellipse(1, 1)}, {}}, {from_right(), {ellipse(1, 0.96)}, {}}});
+  const PartSurface surface = surface_of(part, 64);
+  expect_sound(surface);
+  EXPECT_TRUE(surface.warnings.empty());
+  expect_silhouettes(part, surface.mesh, 0.95);
+}
+
+TEST(SurfaceRays, ViewsThatShareNoVolumeGiveABodyAndAWarning) {
+  const Part part = drawn::part({{from_front(), {ellipse(0.2, 0.2, {0, 0.7})}, {}},
+                                 {from_right(), {ellipse(0.2, 0.2, {0, -0.7})}, {}}});
+  const PartSurface surface = surface_of(part);
+  expect_sound(surface);
+  ASSERT_FALSE(surface.warnings.empty());
+  EXPECT_NE(surface.warnings[0].find("'part'"), std::string::npos);
+  EXPECT_NE(surface.warnings[0].find("frames 1, 2"), std::string::npos);
+}
+
+// Radii that wander by up to three pixels, slowly, differently in each view.
+TEST(SurfaceRays, AWobblyHandGivesNearlyTheCleanShape) {
+  const auto wobbly = [](double phase) {
+    drawn::Outline outline = ellipse(1, 1);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const double t = 2 * kPi * double(i) / double(outline.size());
+      outline[i] *= 1 + 0.015 * (std::sin(5 * t + phase) + std::sin(8 * t + 2 * phase));
+    }
+    return outline;
+  };
+  const Part part = drawn::part({{from_front(), {wobbly(0)}, {}},
+                                 {from_right(), {wobbly(1)}, {}},
+                                 {from_above(), {wobbly(2)}, {}}});
+  const PartSurface surface = surface_of(part, 64);
+  expect_sound(surface);
+  EXPECT_NEAR(signed_volume(surface.mesh), 4 * kPi / 3, 0.04 * 4 * kPi / 3);
+  double mean = 0;
+  for (int v = 0; v < surface.mesh.V.rows(); ++v)
+    mean += std::abs(surface.mesh.V.row(v).norm() - 1) / double(surface.mesh.V.rows());
+  EXPECT_LT(mean, 0.02);
+  expect_silhouettes(part, surface.mesh, 0.97);
+}
+
+TEST(SurfaceRays, FatnessBulgesBetweenSilhouettesThatStay) {
+  for (const std::vector<drawn::Side>& sides :
+       {std::vector<drawn::Side>{{from_front(), {ellipse(1, 1)}, {}},
+                                 {from_right(), {ellipse(0.7, 1)}, {}}},
+        std::vector<drawn::Side>{{from_front(), {ellipse(0.6, 1)}, {}}}}) {
+    Part part = drawn::part(sides);
+    double last = 0;
+    for (const double fatness : {0.5, 0.8, 1.0, 1.2, 1.5}) {
+      part.fatness = fatness;
+      const PartSurface surface = surface_of(part, 64);
+      expect_sound(surface);
+      expect_silhouettes(part, surface.mesh, 0.985);
+      const double volume = signed_volume(surface.mesh);
+      EXPECT_GT(volume, 1.01 * last) << fatness;
+      last = volume;
+    }
+  }
+}
+
+TEST(SurfaceRays, ThinPartsAreThinnedNoFurtherThanTheyHold) {
+  Part ring = drawn::ring();
+  ring.fatness = 0.1;
+  expect_sound(surface_of(ring, 64), 1);
+}
+
+TEST(SurfaceRays, TheFieldIsTheMeshsDistance) {
+  const PartSurface surface = surface_of(drawn::two_circles());
+  for (int v = 0; v < surface.mesh.V.rows(); v += 7) {
+    const Vec3 p = surface.mesh.V.row(v).transpose();
+    EXPECT_NEAR(sample(surface.distance, p), 0, 0.1 * surface.distance.cell);
+    for (const double way : {-1.0, 1.0}) {
+      const double cells = sample(surface.distance, p * (1 + way * surface.distance.cell));
+      EXPECT_NEAR(cells, way * surface.distance.cell, 0.35 * surface.distance.cell);
+    }
+  }
+}
+
+TEST(SurfaceRays, IsTheSameEveryTime) {
+  const PartSurface a = surface_of(drawn::ring(), 32), b = surface_of(drawn::ring(), 32);
+  EXPECT_EQ(a.mesh.V, b.mesh.V);
+  EXPECT_EQ(a.distance.values, b.distance.values);
+}
+
+TEST(SurfaceRays, StopsWhenToldTo) {
+  const std::atomic<bool> cancel = true;
+  artisketch::Run run;
+  run.cancel = &cancel;
+  const auto surface = surface_rays(drawn::two_circles(), {Method::rays, 48, false}, run);
+  ASSERT_FALSE(surface);
+  EXPECT_EQ(surface.error().kind, Error::Kind::cancelled);
+}
+
+}  // namespace
+}  // namespace artisketch
