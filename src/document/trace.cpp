@@ -240,16 +240,16 @@ bool is_paper(const TraceImage& image, const Vec2& at) {
 
 // Pixels are reached in the order of how unlike they are, so each gets the least that a way to it
 // demands. Source: the watershed by flooding, Meyer 1991.
-Spread spread_from(const TraceImage& image, const Vec2& at) {
-  Spread spread;
-  if (image.tones.empty()) return spread;
+FloodLevels flood_levels(const TraceImage& image, const Vec2& at) {
+  FloodLevels levels;
+  if (image.tones.empty()) return levels;
   const int w = image.width, h = image.height;
-  spread.seed = pixel_at(image, at);
+  levels.seed = pixel_at(image, at);
   // The clicked colour, from the like of it next to it: drawings are noisy.
-  Tone mean = image.tones[spread.seed];
+  Tone mean = image.tones[levels.seed];
   const Tone seed = mean;
   float count = 1;
-  neighbours(spread.seed, w, h, true, [&](int n) {
+  neighbours(levels.seed, w, h, true, [&](int n) {
     const Tone& t = image.tones[n];
     if (apart(t, seed) > 0.05f) return;
     mean = {mean.l + t.l, mean.a + t.a, mean.b + t.b, mean.alpha + t.alpha};
@@ -258,23 +258,23 @@ Spread spread_from(const TraceImage& image, const Vec2& at) {
   mean = {mean.l / count, mean.a / count, mean.b / count, mean.alpha / count};
   constexpr int kSteps = 1024;
   std::vector<std::vector<int>> waiting(kSteps);
-  spread.level.assign(image.tones.size(), std::numeric_limits<float>::infinity());
-  const bool on_paper = image.paper[spread.seed];
+  levels.level.assign(image.tones.size(), std::numeric_limits<float>::infinity());
+  const bool on_paper = image.paper[levels.seed];
   const auto reach = [&](int i, float level) {
-    spread.level[i] = level;
+    levels.level[i] = level;
     waiting[std::size_t(level / kMostUnlike * (kSteps - 1))].push_back(i);
   };
-  reach(spread.seed, 0);
+  reach(levels.seed, 0);
   for (int step = 0; step < kSteps; ++step)
     while (!waiting[step].empty()) {
       const int i = waiting[step].back();
       waiting[step].pop_back();
       neighbours(i, w, h, false, [&](int n) {
-        if (spread.level[n] <= kMostUnlike || (image.paper[n] && !on_paper)) return;
-        reach(n, std::min(kMostUnlike, std::max(spread.level[i], apart(image.tones[n], mean))));
+        if (levels.level[n] <= kMostUnlike || (image.paper[n] && !on_paper)) return;
+        reach(n, std::min(kMostUnlike, std::max(levels.level[i], apart(image.tones[n], mean))));
       });
     }
-  return spread;
+  return levels;
 }
 
 namespace {
@@ -289,11 +289,11 @@ struct Window {
   int seed = 0;
 };
 
-Window window_about(const TraceImage& image, const Spread& spread, float tolerance) {
+Window window_about(const TraceImage& image, const FloodLevels& levels, float tolerance) {
   const int w = image.width;
   int low_x = w, low_y = image.height, high_x = -1, high_y = -1;
-  for (int i = 0; i < int(spread.level.size()); ++i)
-    if (spread.level[i] <= tolerance) {
+  for (int i = 0; i < int(levels.level.size()); ++i)
+    if (levels.level[i] <= tolerance) {
       low_x = std::min(low_x, i % w), high_x = std::max(high_x, i % w);
       low_y = std::min(low_y, i / w), high_y = std::max(high_y, i / w);
     }
@@ -305,12 +305,12 @@ Window window_about(const TraceImage& image, const Spread& spread, float toleran
   for (int y = 0; y < window.h; ++y)
     for (int x = 0; x < window.w; ++x) {
       const int i = (y + window.y) * w + x + window.x;
-      window.region.push_back(spread.level[i] <= tolerance);
+      window.region.push_back(levels.level[i] <= tolerance);
       window.paper.push_back(image.paper[i]);
       window.ink.push_back(image.ink[i]);
       window.tones.push_back(image.tones[i]);
     }
-  window.seed = (spread.seed / w - window.y) * window.w + spread.seed % w - window.x;
+  window.seed = (levels.seed / w - window.y) * window.w + levels.seed % w - window.x;
   return window;
 }
 
@@ -450,10 +450,10 @@ Polyline fitted(const Polyline& raw) {
 
 }  // namespace
 
-std::optional<Traced> traced(const TraceImage& image, const Spread& spread, double tolerance) {
-  if (image.tones.empty() || image.paper[spread.seed]) return std::nullopt;
+std::optional<Traced> traced(const TraceImage& image, const FloodLevels& levels, double tolerance) {
+  if (image.tones.empty() || image.paper[levels.seed]) return std::nullopt;
   const bool all = tolerance >= 1;
-  Window window = window_about(image, spread, all ? kMostUnlike : float(std::max(0.0, tolerance)));
+  Window window = window_about(image, levels, all ? kMostUnlike : float(std::max(0.0, tolerance)));
   if (!all) cut_leaks(window);
   fill_holes(window);
   std::vector<Polyline> lines = iso_lines(field_of(window), window.w, window.h);

@@ -34,15 +34,15 @@ TraceImage trace_image(const Pixels& pixels);
 // Where the figure stands: all that isn't paper, in the drawing's pixels. Empty where all is.
 Box2 figure_box(const TraceImage& image);
 
-// How unlike the clicked place each pixel is: the least tolerance at which it belongs to the
-// region. Paper is never reached, unless it was clicked.
-struct Spread {
-  std::vector<float> level;  // 0 … kMostUnlike
+// The level at which flooding from the clicked place reaches each pixel: the least tolerance at
+// which it belongs to the region. Paper is never reached, unless it was clicked.
+struct FloodLevels {
+  std::vector<float> level;  // per pixel, 0 … kMostUnlike; infinite where it is never reached
   int seed = 0;              // index of the clicked pixel
 };
 inline constexpr float kMostUnlike = 1.5f;
 bool is_paper(const TraceImage& image, const Vec2& at);
-Spread spread_from(const TraceImage& image, const Vec2& at);  // `at` in the drawing's pixels
+FloodLevels flood_levels(const TraceImage& image, const Vec2& at);  // `at` in the drawing's pixels
 
 // The region's outline, and its holes: what is paper within it and a tenth of it or more. A
 // boundary along an ink line stands on the line's middle, one between two colours where each
@@ -53,7 +53,7 @@ struct Traced {
   Polyline outline;
   std::vector<Polyline> holes;
 };
-std::optional<Traced> traced(const TraceImage& image, const Spread& spread, double tolerance);
+std::optional<Traced> traced(const TraceImage& image, const FloodLevels& levels, double tolerance);
 inline constexpr double kUsualTolerance = 0.1;
 
 }  // namespace artisketch

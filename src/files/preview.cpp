@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "files/canvas.h"
-#include "files/light.h"
 #include "files/marks.h"
+#include "files/occlusion.h"
 #include "files/render.h"
 
 namespace artisketch {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "base/raster.h"
-#include "files/light.h"
 #include "files/marks.h"
+#include "files/occlusion.h"
 
 namespace artisketch {
 namespace {
@@ -39,9 +39,9 @@ struct Material {
   float shine = 0.05f;
 };
 
-// n, eye: unit vectors in view space, eye toward the viewer. sky, key: light that is not blocked.
+// n, eye: unit vectors in view space, eye toward the viewer. open, key: light that is not blocked.
 Light shade(const Material& material, const Eigen::Vector3f& n, const Eigen::Vector3f& eye,
-            float sky, float key) {
+            float open, float key) {
   const Eigen::Vector3f key_direction = kKeyDirection.cast<float>(),
                         fill_direction = kFillDirection.cast<float>(),
                         rim_direction = kRimDirection.cast<float>();
@@ -50,11 +50,11 @@ Light shade(const Material& material, const Eigen::Vector3f& n, const Eigen::Vec
   // Light that wraps a little round the edge of the shade reads as a soft, large lamp.
   const auto wrapped = [](float c, float wrap) { return std::max((c + wrap) / (1 + wrap), 0.0f); };
   const float lit = wrapped(n.dot(key_direction), 0.08f) * (0.10f + 0.90f * key);
-  const float filled = wrapped(n.dot(fill_direction), 0.4f) * sky;
-  Light light = ambient * (0.12f + 0.88f * sky) + lit * Light(1.16f, 1.08f, 0.97f) +
+  const float filled = wrapped(n.dot(fill_direction), 0.4f) * open;
+  Light light = ambient * (0.12f + 0.88f * open) + lit * Light(1.16f, 1.08f, 0.97f) +
                 filled * Light(0.10f, 0.12f, 0.15f);
   const float grazing = 1 - std::clamp(n.dot(eye), 0.0f, 1.0f);
-  const float rim = grazing * grazing * grazing * wrapped(n.dot(rim_direction), 0.5f) * sky;
+  const float rim = grazing * grazing * grazing * wrapped(n.dot(rim_direction), 0.5f) * open;
   float glint = std::max(n.dot((key_direction + eye).normalized()), 0.0f);
   for (int doubling = 0; doubling < 5; ++doubling) glint *= glint;  // to the 32nd power
   glint *= key;
@@ -138,12 +138,12 @@ void shade_samples(const Shape& shape, const Eigen::VectorXd& key, Shot& shot) {
       const Vec3 weights = weights_at(shot, F, face, x, y);
       Vec3 n = Vec3::Zero(), p = Vec3::Zero(), tint = Vec3::Zero();
       Vec2 uv = Vec2::Zero();
-      double sky = 0, lit = 0;
+      double open = 0, lit = 0;
       for (int c = 0; c < 3; ++c) {
         const int v = F(face, c);
         n += weights[c] * shot.N.row(v).transpose();
         p += weights[c] * shot.V.row(v).transpose();
-        sky += weights[c] * shape.sky[v];
+        open += weights[c] * shape.ambient[v];
         lit += weights[c] * key[v];
         if (textured)
           uv += weights[c] * shape.texcoords[v];
@@ -155,7 +155,7 @@ void shade_samples(const Shape& shape, const Eigen::VectorXd& key, Shot& shot) {
                            : Vec3(0, 0, 1);
       const Material material{textured ? texel(*shape.texture, uv) : Light(tint.cast<float>())};
       shot.light[at] =
-          shade(material, n.normalized().cast<float>(), eye.cast<float>(), float(sky), float(lit));
+          shade(material, n.normalized().cast<float>(), eye.cast<float>(), float(open), float(lit));
     }
 }
 
@@ -251,7 +251,7 @@ Shape shape_of(const Model& model, const Pose* pose, bool by_joint) {
     shape.texture = &*model.texture;
     shape.texcoords = model.texcoords;
   }
-  shape.sky = open_sky(shape.mesh, shape.normals);
+  shape.ambient = ambient_occlusion(shape.mesh, shape.normals);
   return shape;
 }
 

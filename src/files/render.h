@@ -1,6 +1,6 @@
 // A software renderer: shaded, anti-aliased, outlined pictures of a mesh, with no display. Light
-// comes from an open sky, which leaves hollows dark, from a soft key light over the viewer's left
-// shoulder, and from a fill and a rim light.
+// comes from all round (ambient occlusion leaves hollows dark), from a soft key light over the
+// viewer's left shoulder, and from a fill and a rim light.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct Shape {
   Mesh mesh;                    // world space; triangles counter-clockwise from outside
   Points3 normals;              // #V×3, shared by vertices at the same place
   Points3 tint;                 // #V×3 linear colours
-  Eigen::VectorXd sky;          // #V, the share of the open sky that reaches the vertex, 0 … 1
+  Eigen::VectorXd ambient;      // #V, ambient occlusion: 1 where nothing hides the vertex, 0 … 1
   std::vector<Vec2> texcoords;  // one per vertex, or empty
   const Texture* texture = nullptr;  // in place of the tint, where there are texcoords
 };

@@ -41,7 +41,7 @@ Made painted(int width, int height, const std::function<Rgba(Vec2)>& paint) {
 
 std::optional<Traced> trace(const Made& made, Vec2 at, double tolerance = kUsualTolerance) {
   const TraceImage image = trace_image(made.pixels());
-  return traced(image, spread_from(image, at), tolerance);
+  return traced(image, flood_levels(image, at), tolerance);
 }
 
 // How far the line's points and the middles of its edges are from a circle, at most.
@@ -146,7 +146,7 @@ TEST(Trace, LeavesPaperAlone) {
   EXPECT_TRUE(is_paper(image, {5, 5}));
   EXPECT_TRUE(is_paper(image, {-5, 5}));
   EXPECT_FALSE(is_paper(image, {80, 160}));
-  EXPECT_FALSE(traced(image, spread_from(image, {5, 5}), 1));
+  EXPECT_FALSE(traced(image, flood_levels(image, {5, 5}), 1));
   const Box2 figure = figure_box(image);
   EXPECT_LT((figure.min() - Vec2(38, 18)).norm(), 1.5);
   EXPECT_LT((figure.max() - Vec2(122, 227)).norm(), 1.5);
@@ -181,7 +181,7 @@ TEST(Trace, TakesLargeImagesAndNone) {
   EXPECT_NEAR(signed_area(found->outline), 1200 * 800, 0.002 * 1200 * 800);
   const TraceImage none = trace_image({0, 0, {}});
   EXPECT_TRUE(is_paper(none, {0, 0}));
-  EXPECT_FALSE(traced(none, spread_from(none, {0, 0}), 1));
+  EXPECT_FALSE(traced(none, flood_levels(none, {0, 0}), 1));
 }
 
 }  // namespace

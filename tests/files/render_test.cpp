@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "files/light.h"
+#include "files/occlusion.h"
 
 namespace artisketch {
 namespace {
@@ -121,7 +121,7 @@ TEST(Render, TexturesShowAndSeamsDoNotShade) {
 
 TEST(Light, AConvexShapeSeesTheWholeSkyAndAHollowDoesNot) {
   const Mesh ball = icosphere(Vec3::Zero(), 1, 4);
-  const Eigen::VectorXd open = open_sky(ball, vertex_normals(ball));
+  const Eigen::VectorXd open = ambient_occlusion(ball, vertex_normals(ball));
   EXPECT_GT(open.minCoeff(), 0.9);
   EXPECT_LE(open.maxCoeff(), 1 + 1e-12);
   const Eigen::VectorXd lit = lamp_light(ball, vertex_normals(ball), Vec3(0, 0, 1), 0.16);
@@ -130,12 +130,12 @@ TEST(Light, AConvexShapeSeesTheWholeSkyAndAHollowDoesNot) {
     if (std::abs(toward) < 0.3) continue;
     EXPECT_NEAR(lit[v], toward > 0 ? 1 : 0, 0.1);
   }
-  // Where two balls touch, each hides a good part of the other's sky.
+  // Where two balls touch, each hides a good part of the other's surroundings.
   const Mesh other = icosphere({2, 0, 0}, 1, 4);
   Mesh two{Points3(2 * ball.V.rows(), 3), Triangles(2 * ball.F.rows(), 3)};
   two.V << ball.V, other.V;
   two.F << ball.F, (ball.F.array() + int(ball.V.rows())).matrix();
-  const Eigen::VectorXd hidden = open_sky(two, vertex_normals(two));
+  const Eigen::VectorXd hidden = ambient_occlusion(two, vertex_normals(two));
   int touching = 0, away = 0;
   ball.V.col(0).maxCoeff(&touching);
   ball.V.col(0).minCoeff(&away);

@@ -37,7 +37,8 @@ void main() {
   gl_Position = clip * vec4(position, 1.0);
 })";
 
-// The lights of files/render: a soft key over the left shoulder, sky, fill and rim.
+// The lights of files/render: a soft key over the left shoulder, light from all round, fill and
+// rim.
 constexpr const char* kFragment = R"(#version 300 es
 precision highp float;
 uniform sampler2D picture;

@@ -221,7 +221,7 @@ struct Question {
 // What a traced outline came from: it can be traced again with another tolerance.
 struct Tracing {
   TraceImage image;
-  Spread spread;
+  FloodLevels levels;
   double from = 0;  // the tolerance when the gesture began
 };
 

@@ -66,10 +66,10 @@ double Body::part_distance(int part, const Vec3& p, Vec3& gradient) const {
   return value;
 }
 
-// Strangers that come close share the space between them: each keeps its side of the surface where
-// both are equally deep, less half the gap. Not where the surfaces run side by side: neither could
-// yield without a dent. And a part and its parent's parent (a thigh and the chest) not within the
-// spheres of both joints, where all three belong together.
+// Non-adjacent parts that come close share the space between them: each keeps its side of the
+// surface where both are equally deep, less half the gap. Not where the surfaces run side by side:
+// neither could yield without a dent. And a part and its parent's parent (a thigh and the chest)
+// not within the spheres of both joints, where all three belong together.
 double Body::apart(int i, int j, double di, double dj, const Vec3& p) const {
   const auto outside_sphere = [&](int part) {
     const int s = sphere_of_[part];
@@ -114,7 +114,7 @@ Body::Reading Body::read(const Vec3& p, std::span<const int> near) const {
     Reading own{c.distance, c.gradient, c.part};
     for (const Close& other : close) {
       if (c.distance > gap_ || other.distance > gap_ || other.part == c.part ||
-          tree_.meet(c.part, other.part))
+          tree_.adjacent(c.part, other.part))
         continue;
       const double pushed = apart(c.part, other.part, c.distance, other.distance, p);
       if (pushed > own.distance) {
@@ -124,9 +124,10 @@ Body::Reading Body::read(const Vec3& p, std::span<const int> near) const {
     }
     if (own.distance < best.distance) best = own;
   }
-  for (const Tube& tube : tubes) {
-    const double d = tube.distance(p);
-    if (d < best.distance) best = {d, (p - tube.axis.at(tube.axis.nearest(p))).normalized(), -1};
+  for (const Capsule& capsule : capsules) {
+    const double d = capsule.distance(p);
+    if (d < best.distance)
+      best = {d, (p - capsule.axis.at(capsule.axis.nearest(p))).normalized(), -1};
   }
   return best;
 }
@@ -136,13 +137,13 @@ bool Body::crowded(const Vec3& p, std::span<const int> near) const {
   for (const int i : near)
     if (first < 0 || part_distance(i, p) < part_distance(first, p)) first = i;
   for (const int i : near)
-    if (i != first && tree_.meet(i, first) &&
+    if (i != first && tree_.adjacent(i, first) &&
         (second < 0 || part_distance(i, p) < part_distance(second, p)))
       second = i;
   if (second < 0) return false;
   const double reach = part_distance(second, p) + gap_;
   return std::any_of(near.begin(), near.end(), [&](int i) {
-    return i != first && i != second && !(tree_.meet(i, first) && tree_.meet(i, second)) &&
+    return i != first && i != second && !(tree_.adjacent(i, first) && tree_.adjacent(i, second)) &&
            part_distance(i, p) < reach;
   });
 }
@@ -197,23 +198,23 @@ void Body::fill_block(const Vec3& first, double cell, std::span<const int> near,
     for (std::size_t e = c + 1; e < near.size(); ++e) {
       const float* a = &of_part[c * BlockGrid::kSize];
       const float* b = &of_part[e * BlockGrid::kSize];
-      if (tree_.meet(near[c], near[e])) {
+      if (tree_.adjacent(near[c], near[e])) {
         for (int s = 0; s < BlockGrid::kSize; ++s)
           seam[s] = std::min(seam[s], std::max(a[s], b[s]));
         continue;
       }
       for (int s = 0; s < BlockGrid::kSize; ++s) {
         if (a[s] > gap_ || b[s] > gap_) continue;
-        // Strangers meet here: the careful reading decides.
+        // Non-adjacent parts come close here: read() keeps the gap between them.
         const Vec3 p = first + cell * Vec3(s & 7, (s >> 3) & 7, s >> 6);
         values[s] = float(read(p, near).distance);
       }
     }
   const Box3 block(first, first + Vec3::Constant(cell * n));
-  for (const Tube& tube : tubes)
-    for (int s = 0; s < BlockGrid::kSize && tube.box().intersects(block); ++s) {
+  for (const Capsule& capsule : capsules)
+    for (int s = 0; s < BlockGrid::kSize && capsule.box().intersects(block); ++s) {
       const Vec3 p = first + cell * Vec3(s & 7, (s >> 3) & 7, s >> 6);
-      values[s] = std::min(values[s], float(tube.distance(p)));
+      values[s] = std::min(values[s], float(capsule.distance(p)));
     }
 }
 
@@ -275,9 +276,9 @@ Result<Body::Sampled> Body::sample(double cell, double reach, Run& run) const {
     box = Box3(box.min() - Vec3::Constant(reach), box.max() + Vec3::Constant(reach));
     all.extend(box);
   }
-  for (const Tube& tube : tubes) {
-    all.extend(tube.box().min() - Vec3::Constant(reach));
-    all.extend(tube.box().max() + Vec3::Constant(reach));
+  for (const Capsule& capsule : capsules) {
+    all.extend(capsule.box().min() - Vec3::Constant(reach));
+    all.extend(capsule.box().max() + Vec3::Constant(reach));
   }
   Sampled sampled;
   BlockGrid& grid = sampled.grid;
@@ -303,16 +304,16 @@ Result<Body::Sampled> Body::sample(double cell, double reach, Run& run) const {
           const int b = grid.block_index(x, y, z);
           full[b] |= high < 0;
           wanted[b] |= low <= 0 || std::any_of(near_block[b].begin(), near_block[b].end(),
-                                               [&](int j) { return tree_.meet(i, j); });
+                                               [&](int j) { return tree_.adjacent(i, j); });
           near_block[b].push_back(i);
         }
   }
-  // Along a tube only what lies near its axis: its box may be large and empty.
-  for (const Tube& tube : tubes) {
-    const double around = tube.radius + reach + side;
-    const int steps = int((tube.axis.b - tube.axis.a).norm() / side) + 1;
+  // Along a capsule only what lies near its axis: its box may be large and empty.
+  for (const Capsule& capsule : capsules) {
+    const double around = capsule.radius + reach + side;
+    const int steps = int((capsule.axis.b - capsule.axis.a).norm() / side) + 1;
     for (int step = 0; step <= steps; ++step) {
-      const Vec3 p = tube.axis.at(double(step) / steps) - grid.origin;
+      const Vec3 p = capsule.axis.at(double(step) / steps) - grid.origin;
       const Index3 from = ((p.array() - around) / side).floor().cast<int>().max(0);
       const Index3 to =
           ((p.array() + around) / side).floor().cast<int>().min(grid.blocks.array() - 1);
@@ -332,11 +333,11 @@ Result<Body::Sampled> Body::sample(double cell, double reach, Run& run) const {
     sampled.near[b] = std::move(near_block[block]);
     const std::vector<int>& near = sampled.near[b];
     float *values = &grid.values[b * BlockGrid::kSize], *seam = &sampled.seam[b * BlockGrid::kSize];
-    const bool strangers = std::any_of(near.begin(), near.end(), [&](int i) {
+    const bool any_apart = std::any_of(near.begin(), near.end(), [&](int i) {
       return std::any_of(near.begin(), near.end(),
-                         [&](int j) { return i != j && !tree_.meet(i, j); });
+                         [&](int j) { return i != j && !tree_.adjacent(i, j); });
     });
-    if (full[block] && !strangers) {
+    if (full[block] && !any_apart) {
       std::fill(values, values + BlockGrid::kSize, -BlockGrid::kOutside);
       std::fill(seam, seam + BlockGrid::kSize, BlockGrid::kOutside);
     } else {

@@ -1,5 +1,5 @@
-// All parts as one body: the union of their signed distances, with what keeps strangers apart and
-// what ties up the loose.
+// All parts as one body: the union of their signed distances, in which non-adjacent parts keep a
+// gap between them and capsules bridge parts that touch no other.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace artisketch {
 
-// A round tie between two parts that don't touch.
-struct Tube {
+// All within `radius` (units) of a segment: a bridge between two parts that don't touch.
+struct Capsule {
   Segment axis;
   double radius = 0;
   double distance(const Vec3& p) const { return axis.distance(p) - radius; }
@@ -23,11 +23,11 @@ struct Tube {
 class Body {
  public:
   // parts must outlive the body. `gap` (units) is the least distance that is left between parts
-  // that don't hang together, outside the spheres of the joints between them.
+  // that aren't adjacent, outside the spheres of the joints between them.
   Body(std::span<const PartSurface> parts, const PartTree& tree,
        std::span<const JointSphere> spheres, double gap);
 
-  std::vector<Tube> tubes;
+  std::vector<Capsule> capsules;
 
   int size() const { return int(fields_.size()); }
   void set_gap(double gap) { gap_ = gap; }
@@ -36,7 +36,7 @@ class Body {
   double part_distance(int part, const Vec3& p, Vec3& gradient) const;
 
   // The body at p; the gradient is of about unit length, `part` the one that p belongs to (−1: a
-  // tube). Only the parts in `near` are asked.
+  // capsule). Only the parts in `near` are considered.
   struct Reading {
     double distance = BlockGrid::kOutside;
     Vec3 gradient = Vec3::Zero();
@@ -44,7 +44,7 @@ class Body {
   };
   Reading read(const Vec3& p, std::span<const int> near) const;
 
-  // Whether a third part, a stranger to one of the two that meet at p, is about as near as they.
+  // Whether a third part, not adjacent to one of the two that meet at p, is about as near as they.
   bool crowded(const Vec3& p, std::span<const int> near) const;
 
   // The body on those blocks of a lattice that its surface may cross, that are inside it, or where
@@ -75,7 +75,7 @@ class Body {
   static Bounds bounds_of(const Field& field);
   // Bounds on a part's distance over a box.
   static std::array<float, 2> range(const Field& field, const Bounds& bounds, const Box3& box);
-  // How far outside part i lies p for being nearer to the stranger j.
+  // The distance by which p counts as outside part i because it is nearer to the non-adjacent j.
   double apart(int i, int j, double di, double dj, const Vec3& p) const;
   void fill_block(const Vec3& first, double cell, std::span<const int> near, float* values,
                   float* seam) const;

@@ -7,9 +7,10 @@
 #include <cmath>
 
 #include "base/well_composed.h"
+#include "model/consolidate/bridge_parts.h"
 #include "model/consolidate/close_gaps.h"
 #include "model/consolidate/fair.h"
-#include "model/consolidate/ties.h"
+#include "model/consolidate/resolve_self_intersections.h"
 
 namespace artisketch {
 namespace {
@@ -21,9 +22,9 @@ constexpr double kMostSamples = 1e9;  // of the lattice, stored or not
 constexpr double kMostStored = 2e7;   // 160 MB
 constexpr double kMostAlongSide = 1e4;
 
-// Between strangers, in cells: the lattice tells them apart by so much; once it has, their walls
-// may come as near as this without meeting.
-constexpr double kLatticeGap = 2, kSettledGap = 0.5;
+// Between non-adjacent parts, in cells: the lattice needs the first to keep them apart; once it
+// has, their surfaces may come as near as the second.
+constexpr double kLatticeGap = 2, kFinalGap = 0.5;
 
 // The lattice's step: fine enough for the thinnest part, and for a surface that looks smooth.
 double cell_size(const PartTree& tree, std::span<const PartSurface> parts) {
@@ -169,13 +170,13 @@ std::vector<int> pieces_of_parts(const Body& body, const PartTree& tree, const S
 
 // Parts far from each other in the skeleton whose surfaces run into each other all the same.
 void name_the_fused(const Document& document, std::span<const PartSurface> parts,
-                    const PartTree& tree, const QuadMesh& mesh, const Settled& settled,
+                    const PartTree& tree, const QuadMesh& mesh, const SurfaceProjection& projection,
                     std::vector<std::string>& warnings) {
   std::vector<std::pair<int, int>> fused;
   for (Eigen::Index q = 0; q < mesh.Q.rows(); ++q)
     for (int c = 0; c < 4; ++c) {
-      const int i = settled.owner[mesh.Q(q, c)], j = settled.owner[mesh.Q(q, (c + 1) % 4)];
-      if (i < 0 || j <= i || tree.meet(i, j) || tree.meet(tree.step(i, j), j)) continue;
+      const int i = projection.owner[mesh.Q(q, c)], j = projection.owner[mesh.Q(q, (c + 1) % 4)];
+      if (i < 0 || j <= i || tree.adjacent(i, j) || tree.adjacent(tree.step(i, j), j)) continue;
       if (std::find(fused.begin(), fused.end(), std::pair(i, j)) == fused.end())
         fused.emplace_back(i, j);
     }
@@ -201,29 +202,29 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
   Body body(parts, tree, spheres, kLatticeGap * cell);
   Body::Sampled sampled;
   Surface surface;
-  for (const bool tied : {false, true}) {
+  for (const bool bridged : {false, true}) {
     Result<Surface> closed = closed_surface(body, cell, spheres, parts, sampled, run);
     if (!closed) return closed.error();
     surface = std::move(*closed);
-    run.report(tied ? 0.4 : 0.3);
+    run.report(bridged ? 0.4 : 0.3);
     const auto solid = [](double volume) { return volume > 0; };
     const std::vector<double>& volume = surface.found.volume;
-    if (tied || std::count_if(volume.begin(), volume.end(), solid) < 2) break;
-    body.tubes =
-        ties(document, parts, tree, spheres, pieces_of_parts(body, tree, surface), cell, warnings);
-    if (body.tubes.empty()) break;
+    if (bridged || std::count_if(volume.begin(), volume.end(), solid) < 2) break;
+    body.capsules = bridge_parts(document, parts, tree, spheres,
+                                 pieces_of_parts(body, tree, surface), cell, warnings);
+    if (body.capsules.empty()) break;
   }
   run.report(0.5);
   QuadMesh mesh = only(surface.mesh, surface.found, surface.found.largest);
   if (mesh.V.rows() == 0) return bad_input("the parts are too thin to make a surface of");
-  body.set_gap(kSettledGap * cell);
-  const Settled settled = settle(body, sampled, mesh);
+  body.set_gap(kFinalGap * cell);
+  const SurfaceProjection projection = project_to_surface(body, sampled, mesh);
   if (run.cancelled()) return cancelled();
-  name_the_fused(document, parts, tree, mesh, settled, warnings);
+  name_the_fused(document, parts, tree, mesh, projection, warnings);
   run.report(0.7);
-  fair(body, sampled, spheres, settled, mesh);
+  fair(body, sampled, spheres, projection, mesh);
   Mesh skin{mesh.V, split_quads(mesh.V, mesh.Q)};
-  if (const int left = untangle(skin); left > 0)
+  if (const int left = resolve_self_intersections(skin); left > 0)
     warnings.push_back("the surface passes through itself in " + std::to_string(left) +
                        " places where parts crowd together");
   run.report(1);

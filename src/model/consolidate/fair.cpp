@@ -41,7 +41,7 @@ double blend_width(const Body& body, std::span<const int> near,
 }  // namespace
 
 void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointSphere> spheres,
-          const Settled& settled, QuadMesh& mesh) {
+          const SurfaceProjection& projection, QuadMesh& mesh) {
   const int n = int(mesh.V.rows());
   const BlockGrid& grid = sampled.grid;
   const double side = grid.cell * BlockGrid::kSide;
@@ -50,7 +50,7 @@ void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointS
   Eigen::VectorXd width = Eigen::VectorXd::Zero(n);
   for (int v = 0; v < n; ++v) {
     const Vec3 p = mesh.V.row(v).transpose();
-    if (settled.free[v]) {
+    if (projection.free[v]) {
       width[v] = 1e3;
       continue;
     }
@@ -62,7 +62,7 @@ void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointS
     const int stored = grid.slot[grid.block_index(b.x(), b.y(), b.z())];
     if (stored < 0) continue;
     width[v] = blend_width(body, sampled.near[stored], spheres, p,
-                           settled.normals.row(v).transpose(), settled.owner[v], grid.cell) /
+                           projection.normals.row(v).transpose(), projection.owner[v], grid.cell) /
                grid.cell;
   }
   std::vector<int> unknown(n, -1), moving;

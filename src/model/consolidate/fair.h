@@ -1,7 +1,7 @@
 // Blends the parts into each other inside the joints' spheres (the paper's section 5).
 #pragma once
 
-#include "model/consolidate/settle.h"
+#include "model/consolidate/project_to_surface.h"
 
 namespace artisketch {
 
@@ -10,11 +10,6 @@ namespace artisketch {
 // others stay. Where two parts run into each other smoothly there is no crease and nothing moves:
 // we differ from the paper, which frees everything inside the sphere, and loses silhouette there.
 void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointSphere> spheres,
-          const Settled& settled, QuadMesh& mesh);
-
-// Smooths around the places where the surface passes through itself until it no longer does, or
-// for a few rounds. Positions come out rounded by position_step: what no longer crosses here does
-// not cross in a file either. Returns how many pairs of triangles still cross.
-int untangle(Mesh& mesh);
+          const SurfaceProjection& projection, QuadMesh& mesh);
 
 }  // namespace artisketch

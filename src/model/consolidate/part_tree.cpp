@@ -138,11 +138,11 @@ PartTree part_tree(const Document& document, std::span<const PartSurface> parts)
     else
       tree.nodes[part_of[j]].parent = over >= 0 ? over : first_at_hub;
   }
-  tree.meets.assign(n * n, 0);
+  tree.adjacent_pairs.assign(n * n, 0);
   tree.steps.assign(n * n, -1);
   for (int i = 0; i < n; ++i)
     if (const int p = tree.nodes[i].parent; p >= 0)
-      tree.meets[i * n + p] = tree.meets[p * n + i] = 1;
+      tree.adjacent_pairs[i * n + p] = tree.adjacent_pairs[p * n + i] = 1;
   // Ways through the tree: from each part the way up, then down.
   const auto line_up = [&](int i) {
     std::vector<int> line{i};

@@ -37,8 +37,8 @@ struct PartTree {
   };
   std::vector<Node> nodes;
   // Whether two parts meet at a joint: one hangs on the other.
-  bool meet(int i, int j) const { return meets[i * int(nodes.size()) + j]; }
-  std::vector<char> meets;
+  bool adjacent(int i, int j) const { return adjacent_pairs[i * int(nodes.size()) + j]; }
+  std::vector<char> adjacent_pairs;
   // The part next to i on the way to j.
   int step(int i, int j) const { return steps[i * int(nodes.size()) + j]; }
   std::vector<int> steps;

@@ -6,7 +6,7 @@
 #include <meshoptimizer.h>
 
 #include "base/coarsen.h"
-#include "model/consolidate/fair.h"
+#include "model/consolidate/resolve_self_intersections.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -127,11 +127,11 @@ Mesh simplified(const Mesh& mesh, int triangles, double error) {
       const Topology after = topology(fewer);
       // Thin places pass through each other where their sides are thinned apart.
       if (after.manifold() && after.euler == euler && after.components == components &&
-          untangle(fewer) == 0)
+          resolve_self_intersections(fewer) == 0)
         return in_drawing_order(fewer);
     }
   Mesh even = coarsened(mesh, int(std::max(1.5 * triangles, mesh.F.rows() / 6.0) / 2));
-  untangle(even);
+  resolve_self_intersections(even);
   return even;
 }
 

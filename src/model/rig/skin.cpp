@@ -59,7 +59,7 @@ Listening listening(const Body& body, const PartTree& tree, const Vec3& p, const
   double to_bone = BlockGrid::kOutside;
   std::vector<std::pair<int, double>> near;  // parts, distances from their bones
   for (int i = 0; i < body.size(); ++i) {
-    if (i != nearest && !tree.meet(i, nearest)) continue;
+    if (i != nearest && !tree.adjacent(i, nearest)) continue;
     if (distance[i] >= std::max(least, 0.0) + kTogether * radius) continue;
     double d = BlockGrid::kOutside;
     for (const Segment& axis : tree.nodes[i].axes) d = std::min(d, axis.distance(p));

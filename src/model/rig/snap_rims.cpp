@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "base/raster.h"
-#include "model/consolidate/fair.h"
+#include "model/consolidate/resolve_self_intersections.h"
 
 namespace artisketch {
 namespace {
@@ -203,7 +203,7 @@ void snap_rims(const Document& calibrated, std::span<const Part> parts, const We
     const double pixel = pixel_size(calibrated);
     const Eigen::VectorXd step = kDamping * pixel * Equations(adjacency, pulls, 1 / pixel).solve();
     moved.V += step.asDiagonal() * normals;
-    if (untangle(moved) > 0) break;
+    if (resolve_self_intersections(moved) > 0) break;
     const double now = lay(moved);
     if (now <= best) break;
     best = now;

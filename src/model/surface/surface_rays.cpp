@@ -5,8 +5,9 @@
 
 namespace artisketch {
 
-// Cells to which the part's distances go down. Strangers that lie in each other part where both are
-// as deep: deep inside a fat part a thin one would have no say, without any gradient neither has.
+// Cells to which the part's distances go down. Non-adjacent parts that lie in each other part where
+// both are as deep: deep inside a fat part a thin one would have no say, without any gradient
+// neither has.
 constexpr float kDeepest = 6;
 
 Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options, Run& run) {

@@ -173,7 +173,7 @@ TEST(Consolidate, FillsTheGapBetweenPartsThatMeet) {
   expect_one_clean_skin(consolidated(document_of(figure), surfaces_of(figure, 60)).mesh);
 }
 
-TEST(Consolidate, KeepsStrangersApart) {
+TEST(Consolidate, KeepsNonAdjacentPartsApart) {
   for (const double apart : {0.15, 0.19, 0.2, 0.21}) {  // 0.2: the legs just touch
     SCOPED_TRACE(apart);
     const Figure figure = fork(apart);

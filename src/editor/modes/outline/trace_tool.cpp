@@ -24,9 +24,9 @@ void begin(Work& work, const Vec2& at) {
   if (is_paper(tracing->image, at))
     return explain(work,
                    "That is paper. Click inside a shape; where its line has a gap, draw instead.");
-  tracing->spread = spread_from(tracing->image, at);
+  tracing->levels = flood_levels(tracing->image, at);
   tracing->from = work.view.tolerance;
-  std::optional<Traced> found = traced(tracing->image, tracing->spread, work.view.tolerance);
+  std::optional<Traced> found = traced(tracing->image, tracing->levels, work.view.tolerance);
   if (!found) return explain(work, "Nothing hangs together here. Drag sideways for more.");
   NewOutline fresh;
   fresh.line = std::move(found->outline);
@@ -42,7 +42,7 @@ void begin(Work& work, const Vec2& at) {
 void trace_with(Work& work, double tolerance) {
   const std::shared_ptr<Tracing> tracing = work.outline->tracing;
   work.view.tolerance = std::clamp(tolerance, kLeast, 1.0);
-  propose_again(work, traced(tracing->image, tracing->spread, work.view.tolerance));
+  propose_again(work, traced(tracing->image, tracing->levels, work.view.tolerance));
 }
 
 void trace_tool(Work& work, const Pointer& p, const OnScreen&) {

@@ -1,4 +1,4 @@
-#include "files/light.h"
+#include "files/occlusion.h"
 
 #include <algorithm>
 #include <array>
@@ -86,16 +86,16 @@ class ShadowMap {
   Visible seen_;
 };
 
-constexpr int kSkyDirections = 48, kSkyMap = 160, kLampMap = 384;
+constexpr int kDirections = 48, kOcclusionMap = 160, kLampMap = 384;
 // Points lift off the surface by this share of the shape's radius before they look for light, so
 // that a depth sample's own slope doesn't darken them.
 constexpr double kLift = 0.012;
 
-double sky_brightness(const Vec3& d) {
+double brightness_from(const Vec3& d) {
   return 0.65 + 0.35 * d.y();
 }
 
-// Binomial blur along both axes, which hides that the sky was sampled.
+// Binomial blur along both axes, which hides that light comes from a few directions.
 void smooth(std::vector<float>& values, int size) {
   constexpr int kTimes = 6;
   std::vector<float> line(size);
@@ -122,14 +122,14 @@ Ball surrounding(const Points3& V) {
   return ball;
 }
 
-Eigen::VectorXd open_sky(const Mesh& mesh, const Points3& N) {
+Eigen::VectorXd ambient_occlusion(const Mesh& mesh, const Points3& N) {
   const Ball ball = surrounding(mesh.V);
   Eigen::VectorXd light = Eigen::VectorXd::Zero(mesh.V.rows()), all = light;
-  for (const Vec3& d : directions(kSkyDirections)) {
-    const ShadowMap map(mesh, ball.centre, ball.radius, d, kSkyMap);
+  for (const Vec3& d : directions(kDirections)) {
+    const ShadowMap map(mesh, ball.centre, ball.radius, d, kOcclusionMap);
     for (int v = 0; v < mesh.V.rows(); ++v) {
       const Vec3 n = N.row(v).transpose();
-      const double share = n.dot(d) * sky_brightness(d);
+      const double share = n.dot(d) * brightness_from(d);
       if (share <= 0) continue;
       const Vec3 p = mesh.V.row(v).transpose();
       all[v] += share;

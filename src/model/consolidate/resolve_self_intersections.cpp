@@ -1,12 +1,13 @@
+#include "model/consolidate/resolve_self_intersections.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/self_intersection.h"
-#include "model/consolidate/fair.h"
 
 namespace artisketch {
 
-int untangle(Mesh& mesh) {
+int resolve_self_intersections(Mesh& mesh) {
   constexpr int kRounds = 20;
   constexpr int kSteps = 4;  // of smoothing, per round
   if (mesh.V.rows() == 0) return 0;

@@ -1,10 +1,11 @@
-#include "model/consolidate/settle.h"
+#include "model/consolidate/project_to_surface.h"
 
 #include <algorithm>
 
 namespace artisketch {
 
-Settled settle(const Body& body, const Body::Sampled& sampled, QuadMesh& mesh) {
+SurfaceProjection project_to_surface(const Body& body, const Body::Sampled& sampled,
+                                     QuadMesh& mesh) {
   const BlockGrid& grid = sampled.grid;
   const int n = int(mesh.V.rows());
   const Adjacency adjacency = quad_adjacency(mesh);
@@ -15,16 +16,17 @@ Settled settle(const Body& body, const Body::Sampled& sampled, QuadMesh& mesh) {
     const Index3 b = ((p - grid.origin) / side).cast<int>();
     block[v] = grid.slot[grid.block_index(b.x(), b.y(), b.z())];
   }
-  Settled settled{Points3::Zero(n, 3), std::vector<int>(n, -1), std::vector<char>(n, 0)};
+  SurfaceProjection projection{Points3::Zero(n, 3), std::vector<int>(n, -1),
+                               std::vector<char>(n, 0)};
   const Points3 start = mesh.V;
   // A vertex that a step of a cell doesn't bring onto the zero set lies where a gap was closed.
   const double most = 0.9 * grid.cell;
   const auto project = [&](int v, Vec3& p) {
     const Body::Reading r = body.read(p, sampled.near[block[v]]);
     const double g2 = r.gradient.squaredNorm();
-    settled.owner[v] = r.part;
+    projection.owner[v] = r.part;
     if (!(g2 > 1e-4)) return r.distance;
-    settled.normals.row(v) = (r.gradient / std::sqrt(g2)).transpose();
+    projection.normals.row(v) = (r.gradient / std::sqrt(g2)).transpose();
     p -= std::clamp(r.distance / g2, -most, most) * r.gradient;
     return r.distance;
   };
@@ -34,9 +36,9 @@ Settled settle(const Body& body, const Body::Sampled& sampled, QuadMesh& mesh) {
     project(v, p);
     Vec3 q = p;
     const double left = std::abs(project(v, q));
-    settled.free[v] =
+    projection.free[v] =
         left > 0.25 * grid.cell || (p - start.row(v).transpose()).norm() > 1.2 * grid.cell;
-    if (!settled.free[v]) mesh.V.row(v) = q.transpose();
+    if (!projection.free[v]) mesh.V.row(v) = q.transpose();
   }
   // Evenly along the surface, back onto it after each step.
   constexpr int kRounds = 3;
@@ -50,11 +52,11 @@ Settled settle(const Body& body, const Body::Sampled& sampled, QuadMesh& mesh) {
       mean /= double(ring.size());
       const Vec3 p = from.row(v).transpose();
       Vec3 step = 0.5 * (mean - p);
-      if (settled.free[v]) {
+      if (projection.free[v]) {
         mesh.V.row(v) += step.transpose();
         continue;
       }
-      const Vec3 normal = settled.normals.row(v).transpose();
+      const Vec3 normal = projection.normals.row(v).transpose();
       step -= step.dot(normal) * normal;
       Vec3 q = p + step;
       project(v, q);
@@ -62,8 +64,8 @@ Settled settle(const Body& body, const Body::Sampled& sampled, QuadMesh& mesh) {
     }
   }
   for (int v = 0; v < n; ++v)
-    if (settled.free[v]) settled.owner[v] = -1;
-  return settled;
+    if (projection.free[v]) projection.owner[v] = -1;
+  return projection;
 }
 
 }  // namespace artisketch
