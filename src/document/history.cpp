@@ -1,24 +1,33 @@
 #include "document/history.h"
 
+#include <atomic>
 #include <cassert>
 
 namespace artisketch {
+namespace {
+
+long next_revision() {
+  static std::atomic<long> last = 0;
+  return ++last;
+}
+
+}  // namespace
 
 History::History(Document start) {
-  steps_.push_back({"", std::make_shared<const Document>(std::move(start)), 0});
+  steps_.push_back({"", std::make_shared<const Document>(std::move(start)), next_revision()});
 }
 
 void History::commit(std::string name, Document next) {
   steps_.resize(at_ + 1);
   steps_.push_back(
-      {std::move(name), std::make_shared<const Document>(std::move(next)), ++last_revision_});
+      {std::move(name), std::make_shared<const Document>(std::move(next)), next_revision()});
   ++at_;
 }
 
 void History::amend(Document next) {
   assert(at_ > 0 && !can_redo());
   steps_[at_].document = std::make_shared<const Document>(std::move(next));
-  steps_[at_].revision = ++last_revision_;
+  steps_[at_].revision = next_revision();
 }
 
 void History::undo() {

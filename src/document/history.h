@@ -14,6 +14,8 @@ class History {
   explicit History(Document start = {});
 
   const Document& now() const { return *steps_[at_].document; }
+  // The present state itself, for what is derived from it (derived.h).
+  const std::shared_ptr<const Document>& state() const { return steps_[at_].document; }
   // The next state; what had been undone is gone. name: what undo will be called, "Draw Hand R".
   void commit(std::string name, Document next);
   // Puts a new state in place of the present one, under its name: the next piece of one gesture.
@@ -26,7 +28,8 @@ class History {
   void undo();  // needs can_undo()
   void redo();  // needs can_redo()
 
-  // Names the present state: equal again when undo and redo lead back to it, never used twice.
+  // Names the present state: equal again when undo and redo lead back to it, and otherwise never
+  // used twice, by no other history either.
   long revision() const { return steps_[at_].revision; }
 
  private:
@@ -37,7 +40,6 @@ class History {
   };
   std::vector<Step> steps_;
   std::size_t at_ = 0;
-  long last_revision_ = 0;
 };
 
 }  // namespace artisketch

@@ -122,6 +122,25 @@ def recovers_what_was_lost():
     again.close()
 
 
+def opens_one_document_after_another():
+    """What was derived from a document that nobody edited is not taken for the next one's."""
+    window = Window("1440x900", examples / "circles/circles.artisketch")
+    window.wait(lambda: window.state()["frames"] == 2, why="the circles")
+    for name, frames in ("hero", 3), ("circles", 2), ("fox", 3):
+        window.key("ctrl+o")
+        window.wait(lambda: any(w["label"] == "Path" for w in window.widgets()), why="the question")
+        window.click("Path")
+        path = (examples / name / f"{name}.artisketch").absolute()
+        window.x("type", "--delay", "40", str(path))
+        window.picture("open-path")
+        window.key("Return")
+        window.wait(lambda: window.state()["frames"] == frames, 30, name)
+        for key, mode in ("2", "skeleton"), ("3", "pose"), ("4", "result"), ("1", "outline"):
+            window.key(key)
+            window.wait(lambda: window.state()["mode"] == mode, why=mode)
+    window.close()
+
+
 def fits_every_screen():
     for size in ("1280x720", "820x1180"):
         window = Window(size, examples / "hero/hero.artisketch")
@@ -134,4 +153,5 @@ def fits_every_screen():
 
 
 run(greets_with_the_hero, says_what_a_command_waits_for, reconstructs_and_cancels,
-    exports_every_format, draws_and_undoes, recovers_what_was_lost, fits_every_screen)
+    exports_every_format, draws_and_undoes, recovers_what_was_lost,
+    opens_one_document_after_another, fits_every_screen)

@@ -79,6 +79,13 @@ TEST(History, AnEditAfterUndoDropsWhatWasUndone) {
   EXPECT_NE(history.revision(), one);
 }
 
+TEST(History, NoTwoHistoriesShareAName) {
+  // Results of a job are taken by it: one that was asked for by the document before is not this one's.
+  History one(figure()), other(figure());
+  EXPECT_NE(one.revision(), other.revision());
+  EXPECT_NE(one.state(), other.state());
+}
+
 TEST(History, AGestureIsOneStep) {
   History history(figure());
   history.commit("Move point", figure());

@@ -78,7 +78,7 @@ void take_proposals(Work& work) {
   if (!proposal.parts.empty())
     proposal.model = std::make_shared<Built>(
         built_of(rigid_model(proposal.document, proposal.parts), proposal.document));
-  work.live.marks_stale = true;
+  work.live.marks.forget();
 }
 
 // What was awaited is there.
@@ -88,7 +88,7 @@ void take_awaited(Work& work) {
   live.revision = work.running_revision;
   const bool more = live.awaited.size() != live.parts.size();
   live.parts = std::move(live.awaited);
-  live.marks_stale = true;
+  live.marks.forget();
   const Document document = wanted(work);
   live.fits = fits_of(document, live.parts);
   live.model.reset();
@@ -181,28 +181,22 @@ const std::vector<PartMarks>& marks_of_drawing(Work& work) {
   const Document& posed = work.as_built() ? work.built->document : work.document();
   const Pose pose =
       work.as_built() ? posed.frames[std::size_t(work.view.frame)].pose : work.drawn_pose();
-  const long revision = work.history.revision();
   const bool theirs = work.proposal && work.proposal->theirs();
-  if (!live.marks_stale && live.marks_theirs == theirs && live.marks_revision == revision &&
-      live.marks_frame == work.view.frame && same_pose(live.marks_pose, pose))
-    return live.marks;
-  live.marks_stale = false;
-  live.marks_revision = revision;
-  live.marks_frame = work.view.frame;
-  live.marks_theirs = theirs;
-  live.marks_pose = pose;
-  live.marks.clear();
-  const std::vector<Transform> motions = skinning_transforms(work.document().skeleton, pose);
-  const FrameCamera camera = frame_camera(posed, work.view.frame);
-  for (const LivePart& part : theirs ? work.proposal->parts : live.parts) {
-    const int joint = part.made->joint;
-    if (joint >= int(motions.size()) || fit_of(work, joint, work.view.frame) == Fit::inside)
-      continue;
-    FitMarks marks =
-        fit_marks(part.made->mesh, motions[std::size_t(joint)], camera, work.frame(), joint, kOff);
-    if (!marks.edge.empty()) live.marks.push_back({joint, std::move(marks)});
-  }
-  return live.marks;
+  const auto make = [&] {
+    std::vector<PartMarks> all;
+    const std::vector<Transform> motions = skinning_transforms(work.document().skeleton, pose);
+    const FrameCamera camera = frame_camera(posed, work.view.frame);
+    for (const LivePart& part : theirs ? work.proposal->parts : live.parts) {
+      const int joint = part.made->joint;
+      if (joint >= int(motions.size()) || fit_of(work, joint, work.view.frame) == Fit::inside)
+        continue;
+      FitMarks marks = fit_marks(part.made->mesh, motions[std::size_t(joint)], camera, work.frame(),
+                                 joint, kOff);
+      if (!marks.edge.empty()) all.push_back({joint, std::move(marks)});
+    }
+    return all;
+  };
+  return live.marks.of(work.history.state(), {work.view.frame, theirs, pose}, make);
 }
 
 }  // namespace artisketch

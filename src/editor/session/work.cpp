@@ -240,16 +240,16 @@ namespace {
 
 // Found once for each state of the document.
 bool is_inside(const Work& work, int joint, int frame) {
-  Work::Insides& known = work.insides;
-  if (known.revision != work.history.revision() || known.edits != work.changed_at) {
-    known = {work.history.revision(), work.changed_at, {}};
+  const std::vector<std::vector<bool>>& inside = work.insides.of(work.history.state(), [&] {
+    std::vector<std::vector<bool>> all;
     for (const Frame& each : work.document().frames) {
-      std::vector<bool>& inside = known.of.emplace_back();
+      std::vector<bool>& of = all.emplace_back();
       for (int j = 0; j < work.document().skeleton.size(); ++j)
-        inside.push_back(inside_other_parts(each, j));
+        of.push_back(inside_other_parts(each, j));
     }
-  }
-  return known.of[std::size_t(frame)][std::size_t(joint)];
+    return all;
+  });
+  return inside[std::size_t(frame)][std::size_t(joint)];
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/job.h"
+#include "document/derived.h"
 #include "document/edit.h"
 #include "document/history.h"
 #include "document/trace.h"
@@ -58,6 +59,16 @@ struct LivePart {
   std::shared_ptr<const PartMesh> made;  // null until it is there
 };
 
+// What marks depend on beside the document and the parts.
+struct MarksKey {
+  int frame = -1;
+  bool theirs = false;  // the proposal's parts rather than the person's
+  Pose pose;
+  bool operator==(const MarksKey& other) const {
+    return frame == other.frame && theirs == other.theirs && same_pose(pose, other.pose);
+  }
+};
+
 // The parts (live.h).
 struct Live {
   std::shared_ptr<Built> model;
@@ -69,13 +80,7 @@ struct Live {
   bool at_built_poses = false;   // the parts are made at the model's poses, not at the person's
   std::vector<LivePart> others;  // the last ones made the other way
   std::optional<Orbit> framed;   // the view that took in all of them
-  // Marks of the drawing shown last, and what they were made for.
-  std::vector<PartMarks> marks;
-  bool marks_stale = true;
-  long marks_revision = -1;
-  int marks_frame = -1;
-  bool marks_theirs = false;
-  Pose marks_pose;
+  Derived<std::vector<PartMarks>, MarksKey> marks;  // of the drawing shown last
 };
 
 // Where a clip stands at a time; between keys as glTF interpolates.
@@ -270,20 +275,9 @@ struct Work {
   long running_revision = -1;
   Document running_document;
 
-  struct Crossings {
-    long revision = -1;
-    double edits = -1;  // when the document changed last
-    int frame = -1;
-    std::vector<std::optional<Vec2>> at;  // by contour
-  };
-  mutable Crossings crossings;
-
-  struct Insides {
-    long revision = -1;
-    double edits = -1;
-    std::vector<std::vector<bool>> of;  // by frame and joint: inside_other_parts
-  };
-  mutable Insides insides;
+  // Where each contour of a frame crosses itself; and per frame and joint: inside_other_parts.
+  mutable Derived<std::vector<std::optional<Vec2>>, int> crossings;
+  mutable Derived<std::vector<std::vector<bool>>> insides;
 
   std::vector<Vec2> handles;  // of the stroke's points, where it is made point by point
 

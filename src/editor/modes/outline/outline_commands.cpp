@@ -145,16 +145,15 @@ void join_with(Work& work, int other) {
 std::vector<CrossingMark> crossing_marks(const Work& work) {
   std::vector<CrossingMark> marks;
   if (!work.has_frame()) return marks;
-  // Found once for each state of the document.
-  Work::Crossings& known = work.crossings;
-  if (known.revision != work.history.revision() || known.edits != work.changed_at ||
-      known.frame != work.view.frame) {
-    known = {work.history.revision(), work.changed_at, work.view.frame, {}};
-    for (const Contour& contour : work.frame().contours)
-      known.at.push_back(self_crossing(contour.line));
-  }
-  for (int i = 0; i < int(known.at.size()); ++i)
-    if (known.at[std::size_t(i)]) marks.push_back({i, *known.at[std::size_t(i)]});
+  const std::vector<std::optional<Vec2>>& known =
+      work.crossings.of(work.history.state(), work.view.frame, [&] {
+        std::vector<std::optional<Vec2>> at;
+        for (const Contour& contour : work.frame().contours)
+          at.push_back(self_crossing(contour.line));
+        return at;
+      });
+  for (int i = 0; i < int(known.size()); ++i)
+    if (known[std::size_t(i)]) marks.push_back({i, *known[std::size_t(i)]});
   if (work.outline && work.outline->frame == work.view.frame)
     if (const std::optional<Vec2> at = self_crossing(work.outline->line))
       marks.push_back({-1, *at});
