@@ -20,7 +20,7 @@ struct BlockGrid {
   double cell = 1;                 // units
   Index3 blocks = Index3::Zero();  // along x, y, z
   std::vector<int> slot;           // per block: its place in `at` and `values`, −1: not stored
-  std::vector<Index3> at;          // per stored block: its block coordinates, in lattice order
+  std::vector<Index3> at;          // per stored block: its block coordinates
   std::vector<float> values;       // kSize per stored block, x fastest
 
   BlockGrid() = default;
@@ -97,6 +97,12 @@ struct BlockGrid {
         }
     values.assign(at.size() * kSize, kOutside);
   }
+  // Stores blocks of kOutside beside each inside sample that stands on the border of what is
+  // stored, and makes the lattice larger where there is no room for them: every cell that has a
+  // corner inside then has all its corners stored. What was stored keeps its place in `at` and
+  // `values`. Returns how many blocks were added.
+  int close();
+  bool is_closed() const;  // close() would add nothing
 };
 
 }  // namespace artisketch

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ensure.h"
+
 namespace artisketch {
 namespace {
 
@@ -30,7 +32,15 @@ Vec3 mean_crossing(const BlockGrid& grid, const Index3& cell) {
 
 }  // namespace
 
-QuadMesh dual_surface(const BlockGrid& grid) {
+QuadMesh dual_surface(const BlockGrid& given) {
+  // Cells are visited by their lowest corner: those beside what is stored must be stored, too.
+  BlockGrid closed;
+  const bool whole = given.is_closed();
+  if (!whole) {
+    closed = given;
+    closed.close();
+  }
+  const BlockGrid& grid = whole ? given : closed;
   std::vector<int> vertex_of(grid.values.size(), -1);  // by the cell's lowest corner
   std::vector<Vec3> V;
   std::vector<std::array<int, 4>> Q;
@@ -73,7 +83,8 @@ QuadMesh dual_surface(const BlockGrid& grid) {
       quad[corner] = at < 0 ? -1 : vertex_of[at];
     }
     if (!c.leaves) std::swap(quad[1], quad[3]);
-    assert(std::find(quad.begin(), quad.end(), -1) == quad.end());
+    ensure(std::find(quad.begin(), quad.end(), -1) == quad.end(),
+           "each crossing edge has four cells round it");
     Q.push_back(quad);
   }
   QuadMesh mesh{Points3(V.size(), 3), Quads(Q.size(), 4)};

@@ -13,8 +13,9 @@ struct QuadMesh {
   Quads Q;    // counter-clockwise seen from outside; every edge joins exactly two
 };
 
-// grid: well-composed (base/well_composed.h), outside on its border. The result is then a closed,
-// oriented 2-manifold; without an inside, it is empty.
+// grid: any; what isn't stored is outside. Every edge of the result is run through as often one way
+// as the other. Where the grid is well-composed (base/well_composed.h), it is a closed, oriented
+// 2-manifold; without an inside, it is empty.
 QuadMesh dual_surface(const BlockGrid& grid);
 
 // Two triangles per quad, split along the diagonal that bends the surface less.

@@ -9,7 +9,7 @@ namespace {
 constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
                               {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
 
-constexpr std::array<bool, 256> critical_cells() {
+constexpr std::array<bool, 256> critical_corners() {
   std::array<bool, 256> critical{};
   for (int m = 0; m < 256; ++m) {
     for (const auto& f : kFaces) {
@@ -24,7 +24,7 @@ constexpr std::array<bool, 256> critical_cells() {
   return critical;
 }
 
-constexpr std::array<bool, 256> kCritical = critical_cells();
+constexpr std::array<bool, 256> kCritical = critical_corners();
 
 unsigned corners_of(const BlockGrid& grid, int i, int j, int k) {
   unsigned mask = 0;
@@ -51,9 +51,11 @@ bool is_critical(unsigned corners) {
   return kCritical[corners];
 }
 
-std::vector<Turned> make_well_composed(BlockGrid& grid) {
+namespace {
+
+std::vector<Index3> critical_cells_of(const BlockGrid& grid) {
   constexpr int n = BlockGrid::kSide;
-  std::vector<Index3> work;
+  std::vector<Index3> cells;
   BlockGrid::Window window;
   for (int b = 0; b < int(grid.at.size()); ++b) {
     const int count = grid.inside_window(b, window);
@@ -63,20 +65,32 @@ std::vector<Turned> make_well_composed(BlockGrid& grid) {
       for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i)
           if (kCritical[BlockGrid::corners(window, i, j, k)])
-            work.push_back(first + Index3(i, j, k));
+            cells.push_back(first + Index3(i, j, k));
   }
+  return cells;
+}
+
+}  // namespace
+
+std::vector<Turned> make_well_composed(BlockGrid& grid) {
   std::vector<Turned> turned;
-  while (!work.empty()) {
-    const Index3 cell = work.back();
-    work.pop_back();
-    if (!kCritical[corners_of(grid, cell.x(), cell.y(), cell.z())]) continue;
-    const std::ptrdiff_t s = nearest_outside(grid, cell);
-    if (s < 0) continue;
-    turned.push_back({s, grid.values[s]});
-    grid.values[s] = float(-1e-3 * grid.cell);
-    const Index3 at = grid.sample_of(s);
-    for (int c = 0; c < 8; ++c) work.push_back(at - Index3(c & 1, c >> 1 & 1, c >> 2));
-  }
+  // A sample turned on the border of what is stored asks for more to be stored, and for another
+  // look there.
+  do {
+    grid.close();
+    std::vector<Index3> work = critical_cells_of(grid);
+    while (!work.empty()) {
+      const Index3 cell = work.back();
+      work.pop_back();
+      if (!kCritical[corners_of(grid, cell.x(), cell.y(), cell.z())]) continue;
+      const std::ptrdiff_t s = nearest_outside(grid, cell);
+      if (s < 0) continue;  // not stored yet: the next round's
+      turned.push_back({s, grid.values[s]});
+      grid.values[s] = float(-1e-3 * grid.cell);
+      const Index3 at = grid.sample_of(s);
+      for (int c = 0; c < 8; ++c) work.push_back(at - Index3(c & 1, c >> 1 & 1, c >> 2));
+    }
+  } while (!grid.is_closed());
   return turned;
 }
 

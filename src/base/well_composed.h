@@ -14,7 +14,8 @@ namespace artisketch {
 bool is_critical(unsigned corners);
 
 // Makes the solid {value < 0} well-composed by turning outside samples of critical cells inside,
-// those nearest to the surface first. Returns those it turned.
+// those nearest to the surface first. Stores the blocks beside inside samples that are missing
+// (BlockGrid::close), before and while it turns. Returns those it turned.
 struct Turned {
   std::ptrdiff_t sample;  // index into grid.values
   float was;              // its value before

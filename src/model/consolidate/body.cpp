@@ -11,6 +11,29 @@ double smoothstep(double x) {
   return x * x * (3 - 2 * x);
 }
 
+bool inside_on_border(const Grid3<float>& g) {
+  for (int k = 0; k < g.size.z(); ++k)
+    for (int j = 0; j < g.size.y(); ++j) {
+      const bool face = k == 0 || j == 0 || k == g.size.z() - 1 || j == g.size.y() - 1;
+      const int step = face ? 1 : std::max(g.size.x() - 1, 1);
+      for (int i = 0; i < g.size.x(); i += step)
+        if (g(i, j, k) < 0) return true;
+    }
+  return false;
+}
+
+// The samples with a wall half a cell within the grid's border.
+Grid3<float> cut_at_border(Grid3<float> g) {
+  for (int k = 0; k < g.size.z(); ++k)
+    for (int j = 0; j < g.size.y(); ++j)
+      for (int i = 0; i < g.size.x(); ++i) {
+        const Index3 at(i, j, k);
+        const int deep = std::min(at.minCoeff(), (g.size - Index3::Ones() - at).minCoeff());
+        g(i, j, k) = std::max(g(i, j, k), float((0.5 - deep) * g.cell));
+      }
+  return g;
+}
+
 }  // namespace
 
 Body::Body(std::span<const PartSurface> parts, const PartTree& tree,
@@ -20,7 +43,11 @@ Body::Body(std::span<const PartSurface> parts, const PartTree& tree,
       sphere_of_(parts.size(), -1),
       spheres_(spheres.begin(), spheres.end()) {
   for (int i = 0; i < int(parts.size()); ++i) {
-    const Grid3<float>& g = parts[i].distance;
+    // Views from nearly one side leave a part's depth open, and its grid cuts it off. Beyond the
+    // grid nothing may be inside: nobody would look for it there.
+    const bool cut = tree.nodes[i].solid && inside_on_border(parts[i].distance);
+    if (cut) cut_.push_back(std::make_unique<Grid3<float>>(cut_at_border(parts[i].distance)));
+    const Grid3<float>& g = cut ? *cut_.back() : parts[i].distance;
     fields_.push_back(
         {g.values.data(), g.origin, g.cell, g.size, g.stride_y(), g.stride_z(), Box3()});
     if (tree.nodes[i].solid) fields_.back().box = g.box();
@@ -344,7 +371,34 @@ Result<Body::Sampled> Body::sample(double cell, double reach, Run& run) const {
       fill_block(first, cell, near, values, seam);
     }
   }
+  sampled.close();
   return sampled;
+}
+
+void Body::Sampled::close() {
+  const int before = int(grid.at.size());
+  grid.close();
+  seam.resize(grid.values.size(), BlockGrid::kOutside);
+  near.resize(grid.at.size());
+  // Of a new block nothing is known but what its neighbours know.
+  for (int b = before; b < int(near.size()); ++b) {
+    for (int w = 0; w < 27; ++w) {
+      const Index3 beside = grid.at[b] + Index3(w % 3 - 1, w / 3 % 3 - 1, w / 9 - 1);
+      if (!grid.has_block(beside.x(), beside.y(), beside.z())) continue;
+      const int stored = grid.slot[grid.block_index(beside.x(), beside.y(), beside.z())];
+      if (stored >= 0 && stored < before)
+        near[b].insert(near[b].end(), near[stored].begin(), near[stored].end());
+    }
+    std::sort(near[b].begin(), near[b].end());
+    near[b].erase(std::unique(near[b].begin(), near[b].end()), near[b].end());
+  }
+}
+
+std::span<const int> Body::Sampled::near_at(const Vec3& p) const {
+  const Index3 b = ((p - grid.origin) / (grid.cell * BlockGrid::kSide)).array().floor().cast<int>();
+  const int stored =
+      grid.has_block(b.x(), b.y(), b.z()) ? grid.slot[grid.block_index(b.x(), b.y(), b.z())] : -1;
+  return stored < 0 ? std::span<const int>() : std::span<const int>(near[stored]);
 }
 
 }  // namespace artisketch

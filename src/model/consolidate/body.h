@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <span>
 
 #include "base/block_grid.h"
 #include "model/consolidate/part_tree.h"
@@ -22,8 +24,9 @@ struct Capsule {
 
 class Body {
  public:
-  // parts must outlive the body. `gap` (units) is the least distance that is left between parts
-  // that aren't adjacent, outside the spheres of the joints between them.
+  // parts must outlive the body. A part ends where its samples do. `gap` (units) is the least
+  // distance that is left between parts that aren't adjacent, outside the spheres of the joints
+  // between them.
   Body(std::span<const PartSurface> parts, const PartTree& tree,
        std::span<const JointSphere> spheres, double gap);
 
@@ -53,6 +56,10 @@ class Body {
     BlockGrid grid;
     std::vector<float> seam;  // as grid.values: how far both of two parts that meet are at most
     std::vector<std::vector<int>> near;  // per stored block: the parts to ask there
+    // Stores what is missing beside inside samples, after samples were turned inside.
+    void close();
+    // The parts to ask at p; none away from everything that is stored.
+    std::span<const int> near_at(const Vec3& p) const;
   };
   Result<Sampled> sample(double cell, double reach, Run& run) const;
 
@@ -81,6 +88,7 @@ class Body {
                   float* seam) const;
 
   std::vector<Field> fields_;
+  std::vector<std::unique_ptr<Grid3<float>>> cut_;  // samples of parts that their grid cuts off
   const PartTree& tree_;
   double gap_;
   std::vector<int> sphere_of_;  // part → index into spheres_, −1

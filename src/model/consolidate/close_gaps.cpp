@@ -373,6 +373,7 @@ void close_gaps(Body::Sampled& sampled, const Body& body, double reach,
     f.keep = f.keep && !body.crowded(p, sampled.near[f.index / BlockGrid::kSize]);
   }
   thin(fills);
+  sampled.close();
 }
 
 }  // namespace artisketch

@@ -130,6 +130,7 @@ Result<Surface> closed_surface(const Body& body, double cell, std::span<const Jo
     if (!found) return found.error();
     sampled = std::move(*found);
     make_well_composed(sampled.grid);
+    sampled.close();
     close_gaps(sampled, body, kGap * cell, spheres);
     return surface_of(sampled.grid);
   };

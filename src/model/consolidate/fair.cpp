@@ -44,7 +44,6 @@ void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointS
           const SurfaceProjection& projection, QuadMesh& mesh) {
   const int n = int(mesh.V.rows());
   const BlockGrid& grid = sampled.grid;
-  const double side = grid.cell * BlockGrid::kSide;
   const Adjacency adjacency = quad_adjacency(mesh);
   // Blend widths in cells; free vertices blend as wide as their neighbourhood asks, at least 3.
   Eigen::VectorXd width = Eigen::VectorXd::Zero(n);
@@ -58,10 +57,7 @@ void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointS
     for (const JointSphere& s : spheres)
       in_sphere |= (p - s.centre).squaredNorm() < s.radius * s.radius;
     if (!in_sphere) continue;
-    const Index3 b = ((p - grid.origin) / side).cast<int>();
-    const int stored = grid.slot[grid.block_index(b.x(), b.y(), b.z())];
-    if (stored < 0) continue;
-    width[v] = blend_width(body, sampled.near[stored], spheres, p,
+    width[v] = blend_width(body, sampled.near_at(p), spheres, p,
                            projection.normals.row(v).transpose(), projection.owner[v], grid.cell) /
                grid.cell;
   }

@@ -9,20 +9,15 @@ SurfaceProjection project_to_surface(const Body& body, const Body::Sampled& samp
   const BlockGrid& grid = sampled.grid;
   const int n = int(mesh.V.rows());
   const Adjacency adjacency = quad_adjacency(mesh);
-  const double side = grid.cell * BlockGrid::kSide;
-  std::vector<int> block(n);
-  for (int v = 0; v < n; ++v) {
-    const Vec3 p = mesh.V.row(v).transpose();
-    const Index3 b = ((p - grid.origin) / side).cast<int>();
-    block[v] = grid.slot[grid.block_index(b.x(), b.y(), b.z())];
-  }
+  std::vector<std::span<const int>> near(n);  // the parts about where each vertex was
+  for (int v = 0; v < n; ++v) near[v] = sampled.near_at(mesh.V.row(v).transpose());
   SurfaceProjection projection{Points3::Zero(n, 3), std::vector<int>(n, -1),
                                std::vector<char>(n, 0)};
   const Points3 start = mesh.V;
   // A vertex that a step of a cell doesn't bring onto the zero set lies where a gap was closed.
   const double most = 0.9 * grid.cell;
   const auto project = [&](int v, Vec3& p) {
-    const Body::Reading r = body.read(p, sampled.near[block[v]]);
+    const Body::Reading r = body.read(p, near[v]);
     const double g2 = r.gradient.squaredNorm();
     projection.owner[v] = r.part;
     if (!(g2 > 1e-4)) return r.distance;

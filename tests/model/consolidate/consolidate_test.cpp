@@ -92,6 +92,32 @@ TEST(Consolidate, MakesOneCleanSkinOfEveryFigure) {
   }
 }
 
+// Views from nearly one side leave a part's depth open: its grid ends before it does.
+TEST(Consolidate, EndsAPartWhereItsGridCutsItOff) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool low : {false, true}) {
+      Document document;
+      document.skeleton.joints.emplace_back().name = "beam";
+      std::vector<PartSurface> parts(1);
+      Grid3<float>& g = parts[0].distance;
+      g = Grid3<float>(Vec3(-1, -1, -1), 0.05, Index3::Constant(41), 1);
+      for (int k = 0; k < 41; ++k)
+        for (int j = 0; j < 41; ++j)
+          for (int i = 0; i < 41; ++i) {
+            const Vec3 p = g.position(i, j, k);
+            const double along = low ? -p[axis] : p[axis];
+            Vec3 across = p;
+            across[axis] = std::min(along + 0.5, 0.0);  // endless beyond -0.5
+            g(i, j, k) = float(across.norm() - 0.3);
+          }
+      const Made made = consolidated(document, parts);
+      expect_one_clean_skin(made.mesh);
+      const Box3 box = bounds(made.mesh.V);
+      EXPECT_LT((low ? -1 : 1) * (low ? box.min() : box.max())[axis], 1.01);
+      EXPECT_GT((low ? -1 : 1) * (low ? box.min() : box.max())[axis], 0.9);
+    }
+}
+
 TEST(Consolidate, StaysOnThePartsOutsideTheSpheres) {
   const Figure figure = human(0);
   const Document document = document_of(figure);
