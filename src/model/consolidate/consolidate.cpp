@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/self_intersection.h"
 #include "base/well_composed.h"
 #include "model/consolidate/bridge_parts.h"
 #include "model/consolidate/close_gaps.h"
 #include "model/consolidate/fair.h"
 #include "model/consolidate/resolve_self_intersections.h"
+#include "model/consolidate/unfold.h"
 
 namespace artisketch {
 namespace {
@@ -189,6 +191,67 @@ void name_the_fused(const Document& document, std::span<const PartSurface> parts
                        "pose, or draw them thinner where they touch");
 }
 
+// As self_intersections, among the faces near some vertices alone.
+std::vector<std::pair<int, int>> self_intersections_near(const Mesh& mesh,
+                                                         const std::vector<char>& vertices) {
+  constexpr int kCells = 48;  // along the longest side: wider than any triangle
+  const Box3 box = bounds(mesh.V);
+  const double cell = box.sizes().maxCoeff() / kCells;
+  const auto place = [&](int x, int y, int z) {
+    return std::size_t(x) + (kCells + 3) * (y + (kCells + 3) * std::size_t(z));
+  };
+  const auto cell_of = [&](int v) {
+    return Index3(((mesh.V.row(v).transpose() - box.min()) / cell).cast<int>().array() + 1);
+  };
+  std::vector<char> near(place(0, 0, kCells + 3), 0);
+  for (int v = 0; v < int(vertices.size()); ++v) {
+    if (!vertices[v]) continue;
+    const Index3 at = cell_of(v);
+    for (int z = -1; z <= 1; ++z)
+      for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) near[place(at.x() + x, at.y() + y, at.z() + z)] = 1;
+  }
+  std::vector<char> in(vertices.size());
+  for (int v = 0; v < int(vertices.size()); ++v) {
+    const Index3 at = cell_of(v);
+    in[v] = near[place(at.x(), at.y(), at.z())];
+  }
+  std::vector<int> faces;
+  for (int f = 0; f < mesh.F.rows(); ++f)
+    if (in[mesh.F(f, 0)] || in[mesh.F(f, 1)] || in[mesh.F(f, 2)]) faces.push_back(f);
+  auto pairs = self_intersections({mesh.V, mesh.F(faces, Eigen::all)});
+  for (auto& [f, g] : pairs) f = faces[f], g = faces[g];
+  return pairs;
+}
+
+// Where moving the vertices folded the surface or made it pass through itself, they go back toward
+// their places on the lattice, where it does neither: the wider around, the longer it takes.
+void back_to_lattice(const Points3& lattice, Mesh& skin) {
+  constexpr int kRounds = 6;
+  constexpr double kShare = 0.5;  // of the way, per round
+  const FaceNeighbours beside_face = face_neighbours(skin.F);
+  Adjacency beside;
+  auto crossings = self_intersections(skin);
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<std::pair<int, int>> wrong = folds(skin, beside_face);
+    wrong.insert(wrong.end(), crossings.begin(), crossings.end());
+    if (wrong.empty()) return;
+    if (round == 0) beside = vertex_adjacency(skin);
+    std::vector<char> back(skin.V.rows(), 0);
+    for (const auto& [f, g] : wrong)
+      for (int c = 0; c < 3; ++c) back[skin.F(f, c)] = back[skin.F(g, c)] = 1;
+    for (int ring = 0; ring < round; ++ring) {
+      const std::vector<char> before = back;
+      for (int v = 0; v < int(before.size()); ++v)
+        if (before[v])
+          for (const int u : beside.of(v)) back[u] = 1;
+    }
+    for (int v = 0; v < int(back.size()); ++v)
+      if (back[v]) skin.V.row(v) += kShare * (lattice.row(v) - skin.V.row(v));
+    crossings = self_intersections_near(skin, back);
+  }
+}
+
 }  // namespace
 
 Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> parts,
@@ -218,6 +281,7 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
   run.report(0.5);
   QuadMesh mesh = only(surface.mesh, surface.found, surface.found.largest);
   if (mesh.V.rows() == 0) return bad_input("the parts are too thin to make a surface of");
+  const Points3 lattice = mesh.V;
   body.set_gap(kFinalGap * cell);
   const SurfaceProjection projection = project_to_surface(body, sampled, mesh);
   if (run.cancelled()) return cancelled();
@@ -225,6 +289,8 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
   run.report(0.7);
   fair(body, sampled, spheres, projection, mesh);
   Mesh skin{mesh.V, split_quads(mesh.V, mesh.Q)};
+  back_to_lattice(lattice, skin);
+  unfold(skin);
   if (const int left = resolve_self_intersections(skin); left > 0)
     warnings.push_back("the surface passes through itself in " + std::to_string(left) +
                        " places where parts crowd together");

@@ -6,6 +6,7 @@
 
 #include "base/raster.h"
 #include "model/consolidate/resolve_self_intersections.h"
+#include "model/consolidate/unfold.h"
 
 namespace artisketch {
 namespace {
@@ -192,7 +193,6 @@ void snap_rims(const Document& calibrated, std::span<const Part> parts, const We
     for (Target& target : targets) target.pose(over, weights, skeleton);
     return overlap(targets);
   };
-  const Adjacency adjacency = vertex_adjacency(mesh);
   double best = lay(mesh);
   Mesh moved = mesh;
   for (int pass = 0; pass < kPasses && !run.cancelled(); ++pass) {
@@ -201,13 +201,15 @@ void snap_rims(const Document& calibrated, std::span<const Part> parts, const We
     for (const Target& target : targets) target.add_pulls(moved, normals, weights, skeleton, pulls);
     if (pulls.empty()) break;
     const double pixel = pixel_size(calibrated);
+    const Adjacency adjacency = vertex_adjacency(moved);
     const Eigen::VectorXd step = kDamping * pixel * Equations(adjacency, pulls, 1 / pixel).solve();
     moved.V += step.asDiagonal() * normals;
+    unfold(moved);
     if (resolve_self_intersections(moved) > 0) break;
     const double now = lay(moved);
     if (now <= best) break;
     best = now;
-    mesh.V = moved.V;
+    mesh = moved;
   }
 }
 

@@ -149,31 +149,6 @@ class Chooser {
 
 }  // namespace
 
-FaceNeighbours face_neighbours(const Triangles& F) {
-  struct Side {
-    int low, high, face, corner;
-  };
-  std::vector<Side> sides;
-  sides.reserve(std::size_t(F.size()));
-  for (int f = 0; f < F.rows(); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const int a = F(f, k), b = F(f, (k + 1) % 3);
-      sides.push_back({std::min(a, b), std::max(a, b), f, k});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.face, a.corner) < std::tie(b.low, b.high, b.face, b.corner);
-  });
-  FaceNeighbours neighbours(F.rows(), {-1, -1, -1});
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    const Side &a = sides[i], &b = sides[i + 1];
-    if (a.low != b.low || a.high != b.high || a.face == b.face) continue;
-    neighbours[a.face][a.corner] = b.face;
-    neighbours[b.face][b.corner] = a.face;
-    ++i;
-  }
-  return neighbours;
-}
-
 std::vector<int> choose_views(const Mesh& mesh, const FaceNeighbours& neighbours,
                               const DrawnSurface& surface) {
   return Chooser(mesh, neighbours, surface).choose();

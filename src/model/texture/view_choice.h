@@ -1,15 +1,10 @@
 // Which view paints which triangle.
 #pragma once
 
-#include <array>
-
+#include "base/face_neighbours.h"
 #include "model/texture/drawn_surface.h"
 
 namespace artisketch {
-
-// #F×3: the face beyond the edge from corner k to the next, −1 where there is none.
-using FaceNeighbours = std::vector<std::array<int, 3>>;
-FaceNeighbours face_neighbours(const Triangles& F);
 
 // Per triangle the index of the view that paints it, −1 where none can: views that see it well,
 // the same as its neighbours', and changing where both views have the same colour. Minimises that

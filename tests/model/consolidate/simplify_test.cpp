@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "base/dual_surface.h"
 #include "base/self_intersection.h"
+#include "base/well_composed.h"
+#include "model/consolidate/unfold.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -15,6 +18,50 @@ TEST(Simplify, ABallKeepsItsShapeWithATenthOfTheTriangles) {
   EXPECT_TRUE(topology(fewer).manifold());
   EXPECT_EQ(topology(fewer).genus(), 0);
   EXPECT_NEAR(signed_volume(fewer), signed_volume(ball), 0.01 * signed_volume(ball));
+}
+
+// A ball as the lattice of one skin makes it: nearly even squares, cut in two.
+Mesh lattice_ball(double cell) {
+  BlockGrid grid(Vec3::Constant(-1 - 4 * cell), cell,
+                 Index3::Constant(int((2 + 8 * cell) / cell / BlockGrid::kSide) + 1));
+  grid.store(std::vector<char>(grid.slot.size(), 1));
+  for (std::ptrdiff_t s = 0; s < std::ptrdiff_t(grid.values.size()); ++s) {
+    const Index3 at = grid.sample_of(s);
+    grid.values[s] = float(grid.position(at.x(), at.y(), at.z()).norm() - 1);
+  }
+  make_well_composed(grid);
+  const QuadMesh quads = dual_surface(grid);
+  Mesh ball{quads.V, split_quads(quads.V, quads.Q)};
+  for (int v = 0; v < ball.V.rows(); ++v) ball.V.row(v).normalize();
+  return ball;
+}
+
+TEST(Simplify, ABallHasNoFoldsAndItsNormalsStayTrue) {
+  const Mesh ball = lattice_ball(0.0175);
+  ASSERT_GT(ball.F.rows(), 50000);
+  for (const int wanted : {30000, 15000, 4000}) {
+    const Mesh fewer = simplified(ball, wanted, 0.01);
+    EXPECT_NEAR(fewer.F.rows(), wanted, 0.02 * wanted);
+    EXPECT_TRUE(folds(fewer, face_neighbours(fewer.F)).empty());
+    const Points3 normals = vertex_normals(fewer);
+    double worst = 1;
+    for (int v = 0; v < fewer.V.rows(); ++v)
+      worst = std::min(worst, normals.row(v).dot(fewer.V.row(v).normalized()));
+    EXPECT_GT(worst, std::cos(radians(2))) << wanted;
+    for (int f = 0; f < fewer.F.rows(); ++f) {
+      const Vec3 a = fewer.V.row(fewer.F(f, 0)), b = fewer.V.row(fewer.F(f, 1)),
+                 c = fewer.V.row(fewer.F(f, 2));
+      EXPECT_GT((b - a).cross(c - a).normalized().dot(a), 0.9) << wanted;
+    }
+  }
+}
+
+TEST(Simplify, ABoxKeepsItsEdges) {
+  Mesh box = icosphere(Vec3::Zero(), 1, 6);
+  for (int v = 0; v < box.V.rows(); ++v) box.V.row(v) /= box.V.row(v).cwiseAbs().maxCoeff();
+  const Mesh fewer = simplified(box, int(box.F.rows()) / 20, 0.05);
+  EXPECT_TRUE(folds(fewer, face_neighbours(fewer.F)).empty());
+  EXPECT_NEAR(signed_volume(fewer), 8, 0.01 * 8);
 }
 
 TEST(Simplify, StopsAtTheErrorAskedFor) {
