@@ -90,6 +90,27 @@ Polyline wobbled(const Polyline& traced, double wobble, double shortest, Random&
   return even;
 }
 
+// Where a joint's bone runs in the picture; any direction for one that has none or points at the
+// camera.
+Vec2 bone_in_picture(const Figure& figure, int joint, const Pose& pose, const FrameCamera& camera) {
+  const std::vector<Transform> posed = posed_joints(figure.skeleton, pose);
+  const std::vector<int> children = figure.skeleton.children(joint);
+  if (children.empty()) return Vec2::UnitX();
+  const Vec2 along =
+      camera.project(posed[children[0]].translation()) - camera.project(posed[joint].translation());
+  return along.norm() > 1 ? Vec2(along.normalized()) : Vec2(Vec2::UnitX());
+}
+
+// As long and as wide as the hand happens to draw it.
+Polyline stretched(Polyline line, const Vec2& along, double longer, double wider) {
+  const Vec2 middle = centroid({&line, 1}), across(-along.y(), along.x());
+  for (Vec2& p : line.points) {
+    const Vec2 d = p - middle;
+    p = middle + longer * d.dot(along) * along + wider * d.dot(across) * across;
+  }
+  return line;
+}
+
 Frame drawn_frame(const Figure& figure, const View& view, const FrameCamera& camera, int width,
                   int height, const Noise& noise, Random& random) {
   Frame frame;
@@ -98,14 +119,24 @@ Frame drawn_frame(const Figure& figure, const View& view, const FrameCamera& cam
   frame.height = height;
   frame.pose = view.pose;
   const std::vector<Transform> moved = skinning_transforms(figure.skeleton, view.pose);
-  for (int j = 0; j < figure.skeleton.size(); ++j)
-    for (const Polyline& line : outline(figure.parts[j], moved[j], camera)) {
+  const auto any = [&](double share) { return share > 0 ? 1 + random.around(0, share) : 1; };
+  const double size = any(noise.drawing_size);
+  for (int j = 0; j < figure.skeleton.size(); ++j) {
+    const double longer = size * any(noise.part_size), wider = size * any(noise.part_size);
+    for (Polyline line : outline(figure.parts[j], moved[j], camera)) {
       if (std::abs(signed_area(line)) < 4) continue;  // a speck no hand would draw
+      if (longer != 1 || wider != 1) {
+        const Vec2 shift = (size - 1) * (centroid({&line, 1}) - camera.principal_point);
+        line = stretched(std::move(line), bone_in_picture(figure, j, view.pose, camera), longer,
+                         wider);
+        for (Vec2& p : line.points) p += shift;
+      }
       const bool calm = noise.contour_wobble_px == 0;
       const Polyline drawn =
           calm ? line : wobbled(line, noise.contour_wobble_px, noise.shortest_wobble_px, random);
       frame.contours.push_back({j, as_drawn(drawn), {}});
     }
+  }
   return frame;
 }
 
@@ -145,6 +176,21 @@ View view(const Figure& figure, std::string name, const Quat& side, const Turns&
   return {std::move(name), std::move(pose)};
 }
 
+namespace {
+
+// The figure turned, tilted a little, its limbs bent within its freedom.
+View bent_view(const Figure& figure, int number, double yaw, Random& random) {
+  View v = view(figure, number == 0 ? "front" : "view " + std::to_string(number + 1),
+                about_x(random.around(0, 10)) * about_y(yaw) * about_z(random.around(0, 5)));
+  for (int j = 1; j < figure.skeleton.size(); ++j) {
+    const double angle = random.between(-1, 1) * figure.freedom[j];
+    v.pose.rotations[j] = Quat(Eigen::AngleAxisd(angle, random.direction()));
+  }
+  return v;
+}
+
+}  // namespace
+
 std::vector<View> random_views(const Figure& figure, int count, std::uint64_t seed) {
   Random random(seed * 7919 + 17);
   std::vector<View> views;
@@ -152,14 +198,17 @@ std::vector<View> random_views(const Figure& figure, int count, std::uint64_t se
     // A quarter turn first, then between: views of a half turn apart would add no new outline.
     const double sides[] = {0, 90, 45, -50, 135, -110, 20, 70};
     const double yaw = i == 0 ? 0 : sides[i % 8] + random.around(0, 15);
-    View v = view(figure, i == 0 ? "front" : "view " + std::to_string(i + 1),
-                  about_x(random.around(0, 10)) * about_y(yaw) * about_z(random.around(0, 5)));
-    for (int j = 1; j < figure.skeleton.size(); ++j) {
-      const double angle = random.between(-1, 1) * figure.freedom[j];
-      v.pose.rotations[j] = Quat(Eigen::AngleAxisd(angle, random.direction()));
-    }
-    views.push_back(std::move(v));
+    views.push_back(bent_view(figure, i, yaw, random));
   }
+  return views;
+}
+
+std::vector<View> spread_views(const Figure& figure, int count, double baseline,
+                               std::uint64_t seed) {
+  Random random(seed * 7919 + 17);
+  std::vector<View> views;
+  for (int i = 0; i < count; ++i)
+    views.push_back(bent_view(figure, i, degrees(baseline) * i / std::max(1, count - 1), random));
   return views;
 }
 

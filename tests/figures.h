@@ -66,6 +66,11 @@ View view(const Figure& figure, std::string name, const Quat& side, const Turns&
 // seen from the front.
 std::vector<View> random_views(const Figure& figure, int count, std::uint64_t seed);
 
+// Turned by equal steps from the front to `baseline` radians, tilted and bent as random_views are:
+// how far apart drawings show a body is what says how much they tell of its depth.
+std::vector<View> spread_views(const Figure& figure, int count, double baseline,
+                               std::uint64_t seed);
+
 // A camera that has the whole figure in the picture whatever its pose, its root in the middle.
 Camera fitting_camera(const Figure& figure, Camera::Type type, int width, int height);
 
@@ -76,6 +81,11 @@ struct Noise {
   double pose_error_degrees = 0;   // every joint that carries a part, frames after the first
   double root_error = 0;           // units across the view, frames after the first
   double shortest_wobble_px = 40;  // wavelength
+  // What people draw otherwise each time: up to so much larger or smaller, as shares. Every
+  // outline is stretched about its middle along its bone's image and across it, each drawing as a
+  // whole about its principal point.
+  double part_size = 0;
+  double drawing_size = 0;
 };
 
 struct Sketches {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "figures/measure.h"
+#include "quality/inconsistent.h"
 
 using namespace artisketch;
 using namespace artisketch::figures;
@@ -20,12 +21,17 @@ constexpr const char* kUsage =
     "usage: artisketch_quality [--brief] [--figures N] [--frames N] [--error DEGREES]\n"
     "                          [--wobble PIXELS] [--method paper|rays] [--grid N]\n"
     "                          [--poses] [--no-calibrate] [--no-mirror] [--visual-hull]\n"
+    "       artisketch_quality --inconsistent [--figures N] [--frames N] [--error DEGREES]\n"
+    "                          [--baseline DEGREES] [--poses] [--grid N]\n"
     "Every combination of the settings not named; --brief: one case per figure;\n"
-    "--poses: calibration alone.\n";
+    "--poses: calibration alone; --inconsistent: drawings that disagree as people's do,\n"
+    "calibrated, with the poses given, and the first drawing alone.\n";
 
 struct Options {
   bool brief = false;
   bool poses = false;
+  bool inconsistent = false;
+  std::vector<double> baselines;  // degrees; for drawings that disagree; empty: several
   int figures = 6;
   std::vector<int> frames = {2, 3, 4};
   std::vector<double> errors = {0, 8, 15};       // degrees
@@ -197,6 +203,10 @@ bool read_options(int count, char** words, Options& options) {
       options.brief = true;
     } else if (word == "--poses") {
       options.poses = true;
+    } else if (word == "--inconsistent") {
+      options.inconsistent = true;
+    } else if (word == "--baseline") {
+      options.baselines = {std::atof(value().c_str())};
     } else if (word == "--figures") {
       options.figures = std::atoi(value().c_str());
     } else if (word == "--frames") {
@@ -232,6 +242,17 @@ int main(int count, char** words) {
   if (!read_options(count, words, options)) {
     std::fputs(kUsage, stderr);
     return 2;
+  }
+  if (options.inconsistent) {
+    quality::InconsistentOptions table;
+    table.figures = options.figures;
+    table.poses = options.poses;
+    table.pipeline = options.pipeline;
+    if (options.frames.size() == 1) table.frames = options.frames;
+    if (options.errors.size() == 1) table.errors = options.errors;
+    if (!options.baselines.empty()) table.baselines = options.baselines;
+    quality::print_inconsistent(table);
+    return 0;
   }
   print_head();
   std::map<std::string, std::vector<Row>> groups;  // by one setting, over all others
