@@ -1,5 +1,5 @@
 # The editor: one library for the window and the page, on Dear ImGui, SDL2 and OpenGL ES 3 (WebGL2).
-# It is built when asked for (`./dev edit`), and only where its needs are met: Dear ImGui's sources
+# It is built when asked for (`./dev edit`) or tested, and only where its needs are met: Dear ImGui's sources
 # (./dev fetches Debian's), SDL2, the two fonts and fontTools to subset them.
 
 set(ARTISKETCH_IMGUI_SOURCE "${PROJECT_SOURCE_DIR}/build/sources/imgui"
@@ -32,21 +32,11 @@ add_library(artisketch_imgui STATIC EXCLUDE_FROM_ALL
   "${ARTISKETCH_IMGUI_SOURCE}/imgui_draw.cpp"
   "${ARTISKETCH_IMGUI_SOURCE}/imgui_tables.cpp"
   "${ARTISKETCH_IMGUI_SOURCE}/imgui_widgets.cpp"
-  "${ARTISKETCH_IMGUI_SOURCE}/backends/imgui_impl_sdl2.cpp"
 )
-target_include_directories(artisketch_imgui SYSTEM PUBLIC "${ARTISKETCH_IMGUI_SOURCE}"
-                           "${ARTISKETCH_IMGUI_SOURCE}/backends")
+target_include_directories(artisketch_imgui SYSTEM PUBLIC "${ARTISKETCH_IMGUI_SOURCE}")
 target_compile_definitions(artisketch_imgui PUBLIC
   IMGUI_DISABLE_OBSOLETE_FUNCTIONS IMGUI_DISABLE_DEMO_WINDOWS
   IMGUI_DISABLE_DEBUG_TOOLS IMGUI_DISABLE_DEFAULT_FONT ImDrawIdx=unsigned)
-if(TARGET SDL2::SDL2)
-  target_link_libraries(artisketch_imgui PUBLIC SDL2::SDL2)
-else()
-  target_link_libraries(artisketch_imgui PUBLIC SDL2::SDL2-static)
-endif()
-if(NOT EMSCRIPTEN)
-  target_link_libraries(artisketch_imgui PUBLIC GLESv2)
-endif()
 
 # ---------------------------------------------------------------- fonts
 
@@ -86,14 +76,12 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/ui/fonts.cpp
   src/editor/ui/touch.cpp
   src/editor/gl/damage.cpp
-  src/editor/gl/list_painter.cpp
   src/editor/ui/menu.cpp
-  src/editor/ui/window.cpp
   src/editor/ui/ui.cpp
   src/editor/session/commands.cpp
-  src/editor/gl/drawings.cpp
-  src/editor/gl/eye.cpp
-  src/editor/gl/model_picture.cpp
+  src/editor/pictures/drawings.cpp
+  src/editor/pictures/eye.cpp
+  src/editor/pictures/model_picture.cpp
   src/editor/canvas/sketch_paint.cpp
   src/editor/session/work.cpp
   src/editor/session/files.cpp
@@ -139,7 +127,23 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
 target_link_libraries(artisketch_editor PUBLIC artisketch_core artisketch_imgui
                       PRIVATE artisketch_warnings)
 
+# What needs a screen: SDL's window or the page's canvas, and OpenGL in it.
+add_library(artisketch_window STATIC EXCLUDE_FROM_ALL
+  "${ARTISKETCH_IMGUI_SOURCE}/backends/imgui_impl_sdl2.cpp"
+  src/editor/gl/open_gl.cpp
+  src/editor/gl/list_painter.cpp
+  src/editor/gl/window.cpp
+)
+target_include_directories(artisketch_window SYSTEM PRIVATE "${ARTISKETCH_IMGUI_SOURCE}/backends")
+target_link_libraries(artisketch_window PUBLIC artisketch_editor PRIVATE artisketch_warnings)
+if(TARGET SDL2::SDL2)
+  target_link_libraries(artisketch_window PUBLIC SDL2::SDL2)
+else()
+  target_link_libraries(artisketch_window PUBLIC SDL2::SDL2-static)
+endif()
+
 if(NOT EMSCRIPTEN)
+  target_link_libraries(artisketch_window PUBLIC GLESv2)
   add_executable(artisketch-editor EXCLUDE_FROM_ALL native_main/editor_main.cpp native_main/desktop.cpp native_main/script.cpp)
-  target_link_libraries(artisketch-editor PRIVATE artisketch_editor artisketch::json artisketch_warnings)
+  target_link_libraries(artisketch-editor PRIVATE artisketch_window artisketch::json artisketch_warnings)
 endif()

@@ -21,6 +21,7 @@ endfunction()
 # Small where it isn't slow: the interface, what a person does to the document, and the reading and
 # writing of files.
 target_compile_options(artisketch_editor PRIVATE -Oz)
+target_compile_options(artisketch_window PRIVATE -Oz)
 target_compile_options(artisketch_imgui PRIVATE -Oz)
 file(GLOB files CONFIGURE_DEPENDS src/files/*.cpp)
 set(edits edit animate correspondence cut history mend skeleton_edit sprite_sheet strokes suggest
@@ -31,11 +32,11 @@ set_source_files_properties(${files} ${edits} src/model/calibrate/calibration_wo
   src/app/job_bytes.cpp web/page_main.cpp web/browser.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 
 # What goes over all that is drawn, and over all of a model.
-set_source_files_properties(src/editor/gl/damage.cpp src/editor/gl/model_picture.cpp
+set_source_files_properties(src/editor/gl/damage.cpp src/editor/pictures/model_picture.cpp
   PROPERTIES COMPILE_OPTIONS -O2)
 
 artisketch_web_module(editor createEditor web web/page_main.cpp web/browser.cpp)
-target_link_libraries(editor PRIVATE artisketch_editor artisketch::json)
+target_link_libraries(editor PRIVATE artisketch_window artisketch::json)
 target_link_options(editor PRIVATE -Oz -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2)
 artisketch_web_module(core createCore worker web/worker_main.cpp)
 

@@ -7,7 +7,7 @@
 #include "app/job_thread.h"
 #include "desktop.h"
 #include "editor/editor.h"
-#include "editor/ui/window.h"
+#include "editor/gl/window.h"
 #include "script.h"
 
 namespace {
@@ -26,7 +26,7 @@ int run(const char* program, const char* document, bool scripted) {
   Desktop desktop((self.empty() ? program : self).parent_path() / "examples");
   desktop.attach(window->handle());
   ThreadJobs jobs([&desktop] { desktop.request_frame(); });
-  Editor editor(desktop, jobs);
+  Editor editor(desktop, jobs, window->graphics());
 
   const auto open = [&](const std::string& path) {
     desktop.open_recent(

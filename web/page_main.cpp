@@ -12,8 +12,8 @@
 
 #include "app/job_worker.h"
 #include "browser.h"
+#include "editor/gl/window.h"
 #include "editor/ui/answers.h"
-#include "editor/ui/window.h"
 
 // clang-format off
 EM_JS(void, host_post, (const char* bytes, std::size_t size), {
@@ -31,7 +31,7 @@ struct Page {
   WorkerJobs jobs{{[](const std::string& bytes) { host_post(bytes.data(), bytes.size()); },
                    [] { host_restart(); }}};
   Window window;
-  Editor editor{browser, jobs};
+  Editor editor{browser, jobs, window.graphics()};
   std::vector<NamedBytes> files;  // on their way in
   int due = 3;  // frames: widgets settle and hover fades in the frames after something came in
   std::string answer;  // text that page.js reads before it calls again

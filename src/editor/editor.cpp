@@ -1,7 +1,6 @@
 #include "editor/editor.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include <imgui.h>
@@ -17,9 +16,9 @@ struct Editor::Parts {
   std::vector<Widget> widgets;
   std::string message;
   bool begun = false;
-  std::chrono::steady_clock::time_point drawn_at{};
+  double drawn_at = 0;  // by the platform's clock
 
-  Parts(Platform& platform, Jobs& jobs) : work(platform, jobs) {
+  Parts(Platform& platform, Jobs& jobs, Graphics& graphics) : work(platform, jobs, graphics) {
     View& view = work.view;
     view.dark = platform.prefers_dark();
     platform.load("theme", [&view](const std::string& name) {
@@ -33,7 +32,8 @@ struct Editor::Parts {
   }
 };
 
-Editor::Editor(Platform& platform, Jobs& jobs) : parts_(new Parts(platform, jobs)) {}
+Editor::Editor(Platform& platform, Jobs& jobs, Graphics& graphics)
+    : parts_(new Parts(platform, jobs, graphics)) {}
 Editor::~Editor() = default;
 
 void Editor::open(Result<std::vector<NamedBytes>> files) {
@@ -98,7 +98,7 @@ void Editor::touch(const Fingers& fingers) {
 
 void Editor::frame(float width, float height, float pixel_ratio) {
   Work& work = parts_->work;
-  parts_->drawn_at = std::chrono::steady_clock::now();
+  parts_->drawn_at = work.platform.now();
   if (!parts_->begun) greet(work);
   if (!parts_->begun) offer_recovery(work);
   parts_->begun = true;
@@ -167,8 +167,7 @@ double Editor::next_frame_in() const {
     interval = kSmooth;
   const bool live = work.jobs.busy() && !work.busy();
   if (work.view.playing || work.changing_pose() || live) interval = kSmooth;
-  const std::chrono::duration<double> since = std::chrono::steady_clock::now() - parts_->drawn_at;
-  return interval - since.count();
+  return interval - (work.platform.now() - parts_->drawn_at);
 }
 
 const std::vector<Widget>& Editor::widgets() const {
@@ -194,6 +193,7 @@ EditorState Editor::state() const {
   state.can_undo = work.history.can_undo();
   if (state.can_undo) state.undo = work.history.undo_name();
   state.message = parts_->message;
+  for (const Toast& toast : work.toasts) state.messages.push_back(toast.words);
   return state;
 }
 
@@ -202,6 +202,10 @@ std::optional<Vec2> Editor::project(int frame, double x, double y) const {
   if (frame != work.view.frame || work.view.welcome || !work.has_frame()) return std::nullopt;
   const ImVec2 p = OnScreen{work.view.origin, work.view.zoom}.of({x, y});
   return Vec2(p.x, p.y);
+}
+
+const Document& Editor::document() const {
+  return parts_->work.document();
 }
 
 bool Editor::unsaved() const {

@@ -9,11 +9,13 @@
 
 #include "base/result.h"
 #include "base/types.h"
+#include "document/document.h"
 #include "editor/session/platform.h"
 #include "editor/ui/touch.h"
 
 namespace artisketch {
 
+class Graphics;
 class Jobs;
 
 // A control of the frame drawn last, in points from the window's top left. Tests click by label;
@@ -40,11 +42,13 @@ struct EditorState {
   bool can_undo = false;
   std::string undo;     // what undo would take back: "Bend Forearm L"
   std::string message;  // the toast shown last
+  std::vector<std::string> messages;  // the toasts in view
 };
 
 class Editor {
  public:
-  Editor(Platform& platform, Jobs& jobs);
+  // These outlive it.
+  Editor(Platform& platform, Jobs& jobs, Graphics& graphics);
   ~Editor();
 
   // Opens a document, or adds drawings to the one that is open, by what the bytes are; says in a
@@ -71,6 +75,7 @@ class Editor {
   // Where a sketch's pixel stands in the window, in points; nothing where that frame isn't shown.
   std::optional<Vec2> project(int frame, double x, double y) const;
   bool unsaved() const;
+  const Document& document() const;
 
  private:
   struct Parts;

@@ -7,6 +7,7 @@
 #include <GLES3/gl3.h>
 
 #include "editor/gl/shader.h"
+#include "editor/pictures/graphics.h"
 
 namespace artisketch {
 namespace {
@@ -128,6 +129,10 @@ void ListPainter::paint(const ImDrawData& data, int pixels_wide, int pixels_high
     for (const ImDrawCmd& command : list->CmdBuffer) {
       if (command.UserCallback == ImDrawCallback_ResetRenderState) {
         begin(data, pixels_wide, pixels_high);
+        continue;
+      }
+      if (command.UserCallback == blend_premultiplied) {
+        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         continue;
       }
       if (command.UserCallback) {

@@ -3,6 +3,7 @@
 // at once; not at all where the person chose nothing.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
@@ -74,6 +75,11 @@ class Platform {
   virtual int default_grid() = 0;    // cells: what this place computes in bearable time
   virtual void request_frame() = 0;  // from any thread: wakes a window that rests
   virtual bool mac_keys() = 0;       // Cmd where others have Ctrl
+  // A clock that never goes back; seconds.
+  virtual double now() {
+    const auto since = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(since).count();
+  }
 };
 
 }  // namespace artisketch

@@ -15,9 +15,9 @@
 #include "document/edit.h"
 #include "document/history.h"
 #include "document/trace.h"
-#include "editor/gl/drawings.h"
-#include "editor/gl/eye.h"
-#include "editor/gl/model_picture.h"
+#include "editor/pictures/drawings.h"
+#include "editor/pictures/eye.h"
+#include "editor/pictures/model_picture.h"
 #include "editor/session/commands.h"
 #include "editor/session/platform.h"
 #include "editor/ui/touch.h"
@@ -289,7 +289,13 @@ struct Work {
   bool closed = false;         // the person left
   std::vector<Command> asked;  // by this frame's controls and keys
 
-  Work(Platform& platform, Jobs& jobs) : platform(platform), jobs(jobs) {}
+  Work(Platform& platform, Jobs& jobs, Graphics& graphics)
+      : platform(platform),
+        jobs(jobs),
+        drawings(graphics),
+        over_sketch(graphics),
+        model_seen(graphics),
+        model_beside(graphics) {}
 
   const Document& document() const { return history.now(); }
   bool has_frame() const { return view.frame < int(document().frames.size()); }

@@ -59,9 +59,13 @@ float em(Font font) {
 }
 
 bool fit_fonts(float pixel_ratio) {
-  if (pixel_ratio == made_for) return false;
-  made_for = pixel_ratio;
   ImGuiIO& io = ImGui::GetIO();
+  io.FontGlobalScale = 1 / pixel_ratio;
+  // Another context may share the atlas.
+  const bool there = !io.Fonts->Fonts.empty() && io.Fonts->Fonts[0] == faces[0];
+  if (there) io.FontDefault = font(Font::body);
+  if (there && pixel_ratio == made_for) return false;
+  made_for = pixel_ratio;
   io.Fonts->Clear();
   for (int i = 0; i < kFaces; ++i)
     faces[i] = add_font(*kFace[i].bytes, kFace[i].em * kInterHeight * pixel_ratio, kLetters);
@@ -69,7 +73,6 @@ bool fit_fonts(float pixel_ratio) {
     icons[i] = add_font(embedded::kIcons, kIconSize[i] * pixel_ratio, kIconRange);
   io.Fonts->Build();
   io.FontDefault = font(Font::body);
-  io.FontGlobalScale = 1 / pixel_ratio;
   return true;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/result.h"
 #include "document/document.h"
+#include "editor/pictures/graphics.h"
 #include "files/image_file.h"
 
 namespace artisketch {
@@ -14,12 +15,12 @@ namespace artisketch {
 struct Drawing {
   Image image;           // straight alpha
   std::string uri;       // as the document's file holds it
-  unsigned texture = 0;  // OpenGL, premultiplied alpha, with mipmaps
+  unsigned texture = 0;  // premultiplied alpha
 };
 
 class Drawings {
  public:
-  Drawings() = default;
+  explicit Drawings(Graphics& graphics) : graphics_(graphics) {}  // which outlives it
   Drawings(const Drawings&) = delete;
   Drawings& operator=(const Drawings&) = delete;
   ~Drawings();
@@ -35,6 +36,7 @@ class Drawings {
   const Drawing* at(const std::string& key) const;  // null where it has none
 
  private:
+  Graphics& graphics_;
   std::map<std::string, Drawing> kept_;
 };
 

@@ -1,4 +1,4 @@
-#include "editor/gl/eye.h"
+#include "editor/pictures/eye.h"
 
 namespace artisketch {
 namespace {

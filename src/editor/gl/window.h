@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "base/result.h"
 #include "editor/gl/damage.h"
 #include "editor/gl/list_painter.h"
+#include "editor/gl/open_gl.h"
 #include "editor/ui/touch.h"
 
 struct SDL_Window;
@@ -32,6 +34,8 @@ class Window {
   // True if anything came in since the last draw.
   bool stirred() const { return stirred_; }
   void draw(Editor& editor);
+  // What the editor paints with; for as long as the window is there.
+  Graphics& graphics() { return *graphics_; }
 
   std::function<void(const std::string& path)> on_drop;  // of a file onto the window
   // A pen came near or left; and the finger that SDL takes its tip for.
@@ -48,6 +52,7 @@ class Window {
   SDL_Window* window_ = nullptr;
   void* context_ = nullptr;
   bool stirred_ = true;
+  std::unique_ptr<OpenGl> graphics_;
   Damage damage_;
   ListPainter painter_;
   int pixels_wide_ = 0, pixels_high_ = 0;  // of the frame drawn last

@@ -1,9 +1,11 @@
-// A model on the graphics card: posed, lit, and painted into pictures that the panels show.
+// A model as the panels show it: posed, coloured, and painted into pictures where these changed.
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "editor/gl/eye.h"
+#include "editor/pictures/eye.h"
+#include "editor/pictures/graphics.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -32,28 +34,20 @@ struct Scene {
   bool operator==(const Scene& other) const;
 };
 
-// A picture to paint into, kept as an OpenGL texture with premultiplied alpha.
+// A picture to paint into, shown as a texture with premultiplied alpha.
 class RenderTarget {
  public:
-  RenderTarget() = default;
-  RenderTarget(const RenderTarget&) = delete;
-  RenderTarget& operator=(const RenderTarget&) = delete;
-  ~RenderTarget();
-  void begin(int width, int height, bool rough);  // clears it
-  void end();
-  unsigned texture() const { return texture_; }
-
-  Scene shows;  // painted last
-
-  // Textures painted since this was asked last.
-  static std::vector<unsigned> take_painted();
+  explicit RenderTarget(Graphics& graphics)  // which outlives it
+      : graphics_(graphics), picture_(graphics.make_picture()) {}
+  Graphics& graphics() const { return graphics_; }
+  unsigned texture() const { return picture_->texture(); }
+  void paint(const CardMesh& mesh, const MeshLook& look, const Scene& scene);
+  bool shows(const Scene& scene) const { return texture() && shown_ == scene; }
 
  private:
-  void release();
-  int width_ = 0, height_ = 0;
-  bool rough_ = false;
-  // Painted into `smooth_`, several samples a pixel, and from there into `flat_`, or there at once.
-  unsigned texture_ = 0, flat_ = 0, smooth_ = 0, colour_ = 0, depth_ = 0;
+  Graphics& graphics_;
+  std::unique_ptr<CardPicture> picture_;
+  Scene shown_;  // painted last
 };
 
 class ModelPicture {
@@ -63,6 +57,7 @@ class ModelPicture {
   ModelPicture& operator=(const ModelPicture&) = delete;
   ~ModelPicture();
 
+  // Once; it reaches the card when it is painted first.
   void load(const Model& model);
   // Poses the model for what is painted next; `shift` moves it, in units.
   void pose(const Pose& pose, const Vec3& shift);
@@ -71,13 +66,14 @@ class ModelPicture {
              float pixel_ratio);
 
  private:
+  void hand_over(const Model& model, Graphics& graphics);  // to the card, once
   void move_vertices(const Model& model, const Scene& scene);
   void colour_vertices(const Model& model, const PaintOptions& options);
   void load_edges(const Model& model);
-  unsigned triangles_ = 0, edges_ = 0, ground_ = 0, ground_points_ = 0;  // vertex arrays
-  unsigned positions_ = 0, normals_ = 0, uvs_ = 0, colours_ = 0, faces_ = 0, lines_ = 0;  // buffers
+  Graphics* graphics_ = nullptr;  // the mesh's and the texture's
+  std::unique_ptr<CardMesh> mesh_;
   unsigned texture_ = 0;
-  int triangle_count_ = 0, edge_count_ = 0, ground_count_ = 0;
+  bool has_edges_ = false;
   std::vector<int> first_;  // first_at_place: vertices at the same place share a normal
   Scene next_, posed_;      // what is wanted, and as the card has it
   Surface coloured_for_ = Surface::textured;

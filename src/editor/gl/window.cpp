@@ -1,4 +1,4 @@
-#include "editor/ui/window.h"
+#include "editor/gl/window.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -11,7 +11,6 @@
 #include <imgui_internal.h>
 
 #include "editor/editor.h"
-#include "editor/gl/model_picture.h"
 #include "editor/ui/fonts.h"
 #include "editor/ui/theme.h"
 
@@ -43,6 +42,7 @@ Result<Window> Window::open(const std::string& title, int width, int height) {
   window.context_ = SDL_GL_CreateContext(window.window_);
   if (!window.context_) return failed("OpenGL ES 3 could not be started: ");
   SDL_GL_SetSwapInterval(1);
+  window.graphics_ = std::make_unique<OpenGl>();
 
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
@@ -59,6 +59,7 @@ Window::Window(Window&& other) noexcept
       window_(std::exchange(other.window_, nullptr)),
       context_(std::exchange(other.context_, nullptr)),
       stirred_(other.stirred_),
+      graphics_(std::move(other.graphics_)),
       damage_(std::move(other.damage_)),
       painter_(std::move(other.painter_)),
       pointer_(other.pointer_) {}
@@ -66,6 +67,7 @@ Window::Window(Window&& other) noexcept
 Window::~Window() {
   if (context_ && ImGui::GetCurrentContext()) {
     painter_.release();
+    graphics_.reset();
     ImGui_ImplSDL2_Shutdown();
     ImGui::DestroyContext();
   }
@@ -158,7 +160,7 @@ void Window::draw(Editor& editor) {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, pixels_wide, pixels_high);
   ImDrawData& data = *ImGui::GetDrawData();
-  const std::vector<Rect> changed = damage_.narrow(data, RenderTarget::take_painted(), afresh);
+  const std::vector<Rect> changed = damage_.narrow(data, graphics_->take_painted(), afresh);
   glEnable(GL_SCISSOR_TEST);
   for (const Rect& r : changed) {
     // The pixels that Dear ImGui's renderer takes for such a rectangle.
