@@ -198,7 +198,8 @@ void add_blank_drawing(Work& work) {
   frame.name = "Drawing " + std::to_string(work.document().frames.size() + 1);
   frame.width = work.has_frame() ? work.frame().width : 800;
   frame.height = work.has_frame() ? work.frame().height : 800;
-  work.commit("Add " + frame.name, with_frame(work.document(), std::move(frame)));
+  const std::string name = frame.name;
+  work.commit("Add " + name, with_frame(work.document(), std::move(frame)));
   work.view.frame = int(work.document().frames.size()) - 1;
   work.view.fit_again();
   work.view.tool() = work.view.mode == Mode::outline ? Tool::draw : work.view.tool();

@@ -1,0 +1,376 @@
+// Documents and drawings in and out, and what is kept for a crash.
+#include <gtest/gtest.h>
+
+#include "editor/step.h"
+#include "files/image_file.h"
+
+namespace artisketch {
+namespace {
+
+// A dark figure on white paper; several stand side by side.
+std::string drawn(int figures = 1) {
+  Image image(120 * figures, 160);
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = 255;
+  for (int f = 0; f < figures; ++f)
+    for (int y = 20; y < 140; ++y)
+      for (int x = 120 * f + 30; x < 120 * f + 90; ++x)
+        for (int c = 0; c < 3; ++c) image.rgba[4 * std::size_t(y * image.width + x) + c] = 40;
+  return png_bytes(image);
+}
+
+class Files : public WithDocument {
+ protected:
+  void edit() {
+    h.key(ImGuiKey_1);
+    h.click("Hand R in 1");
+    h.key(ImGuiKey_Delete);
+    ASSERT_TRUE(h.editor().unsaved());
+  }
+};
+
+// ---------------------------------------------------------------- saving
+
+TEST_F(Files, SaveAsksWhereOnceAndThenNoMore) {
+  edit();
+  EXPECT_TRUE(h.platform.unsaved_shown);
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl);
+  ASSERT_TRUE(h.platform.files.contains("/kept/hero.artisketch"));
+  EXPECT_FALSE(h.editor().unsaved());
+  EXPECT_FALSE(h.platform.unsaved_shown);
+  h.platform.files.clear();
+  h.key(ImGuiKey_Z, ImGuiMod_Ctrl);
+  EXPECT_TRUE(h.editor().unsaved()) << "undone is another state than the saved one";
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl);
+  EXPECT_TRUE(h.platform.files.contains("/kept/hero.artisketch"));
+}
+
+TEST_F(Files, WhatWasSavedOpensAsItWas) {
+  edit();
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl);
+  const std::string saved = h.platform.files["/kept/hero.artisketch"];
+  Harness other;
+  other.open("hero.artisketch", saved);
+  EXPECT_EQ(other.document().frames.size(), 3u);
+  EXPECT_TRUE(outlines(other, "hand.R").empty());
+  EXPECT_FALSE(other.editor().unsaved());
+  EXPECT_NE(saved.find("data:image/png"), std::string::npos) << "drawings go along";
+}
+
+TEST_F(Files, SaveAsKeepsBoth) {
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl);
+  h.platform.files["/kept/hero.artisketch"] = "the old one";
+  h.platform.dialogs = false;
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl | ImGuiMod_Shift);
+  ASSERT_NE(h.find("Path"), nullptr);
+  h.frames(3);
+  h.key(ImGuiKey_A, ImGuiMod_Ctrl);
+  h.type("/tmp/other.artisketch");
+  h.click("Save");
+  EXPECT_TRUE(h.platform.files.contains("/tmp/other.artisketch"));
+  EXPECT_EQ(h.platform.files["/kept/hero.artisketch"], "the old one");
+}
+
+TEST_F(Files, WhatCantBeSavedStaysUnsaved) {
+  edit();
+  h.platform.no_saving = io_error("the disk is full");
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl);
+  EXPECT_TRUE(h.says("the disk is full"));
+  EXPECT_TRUE(h.editor().unsaved());
+}
+
+TEST(FilesAlone, TheWelcomeHasNothingToSave) {
+  Harness h;
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl);
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl | ImGuiMod_Shift);
+  EXPECT_TRUE(h.platform.files.empty());
+}
+
+// ---------------------------------------------------------------- unsaved work
+
+TEST_F(Files, NewAsksAboutUnsavedWork) {
+  edit();
+  begin();
+  h.key(ImGuiKey_N, ImGuiMod_Ctrl);
+  ASSERT_NE(h.find("Don't save"), nullptr);
+  h.click("Cancel");
+  expect_nothing_happened();
+  h.key(ImGuiKey_N, ImGuiMod_Ctrl);
+  h.key(ImGuiKey_Escape);
+  expect_nothing_happened();
+  h.key(ImGuiKey_N, ImGuiMod_Ctrl);
+  h.click("Save");
+  EXPECT_TRUE(h.platform.files.contains("/kept/hero.artisketch"));
+  EXPECT_TRUE(h.document().frames.empty());
+  EXPECT_FALSE(h.state().can_undo);
+}
+
+TEST_F(Files, DontSaveLosesItAsAsked) {
+  edit();
+  h.key(ImGuiKey_N, ImGuiMod_Ctrl);
+  h.click("Don't save");
+  EXPECT_TRUE(h.platform.files.empty());
+  EXPECT_TRUE(h.document().frames.empty());
+}
+
+TEST_F(Files, WhileAQuestionStandsNothingElseIsDone) {
+  edit();
+  begin();
+  h.key(ImGuiKey_N, ImGuiMod_Ctrl);
+  h.key(ImGuiKey_Z, ImGuiMod_Ctrl);
+  h.key(ImGuiKey_3);
+  expect_nothing_happened();
+  EXPECT_EQ(h.state().mode, "outline");
+}
+
+TEST_F(Files, ClosingAsksToo) {
+  EXPECT_TRUE(h.editor().close()) << "nothing would be lost";
+  Harness other;
+  other.open_example("hero");
+  other.click("Hand R in 1");
+  other.key(ImGuiKey_Delete);
+  EXPECT_FALSE(other.editor().close());
+  other.frame();
+  other.click("Cancel");
+  EXPECT_FALSE(other.editor().closed());
+  EXPECT_FALSE(other.editor().close());
+  other.frame();
+  other.click("Don't save");
+  EXPECT_TRUE(other.editor().closed());
+}
+
+// ---------------------------------------------------------------- opening
+
+TEST_F(Files, OpenAsksTheDialog) {
+  h.platform.to_open.push_back(
+      std::vector<NamedBytes>{{"circles.artisketch", example_document("circles"), "/a/circles"}});
+  h.key(ImGuiKey_O, ImGuiMod_Ctrl);
+  EXPECT_EQ(h.platform.asked, std::vector<Platform::Kind>{Platform::Kind::document});
+  EXPECT_EQ(h.document().name, "circles");
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl);
+  EXPECT_TRUE(h.platform.files.contains("/a/circles")) << "it goes back where it came from";
+}
+
+TEST_F(Files, ACancelledDialogChangesNothing) {
+  h.key(ImGuiKey_O, ImGuiMod_Ctrl);
+  expect_nothing_happened();
+}
+
+TEST_F(Files, WithoutDialogsThePathIsTyped) {
+  h.platform.dialogs = false;
+  h.platform.files["/a/circles.artisketch"] = example_document("circles");
+  h.key(ImGuiKey_O, ImGuiMod_Ctrl);
+  h.frames(3);
+  h.type("/a/circles.artisketch");
+  h.key(ImGuiKey_Enter);
+  EXPECT_EQ(h.document().name, "circles");
+  h.key(ImGuiKey_O, ImGuiMod_Ctrl);
+  h.frames(3);
+  h.type("/a/none");
+  h.click("Open");
+  EXPECT_TRUE(h.says("There is no /a/none"));
+}
+
+TEST_F(Files, RecentOnesAreInTheMenu) {
+  h.platform.files["/a/circles.artisketch"] = example_document("circles");
+  h.platform.recent = {{"circles", "/a/circles.artisketch"}};
+  h.click("Menu");
+  h.click("Menu circles");
+  EXPECT_EQ(h.document().name, "circles");
+}
+
+TEST_F(Files, WhatIsNoDocumentIsSaidAndLeavesTheOldOne) {
+  h.open("broken.artisketch", "{\"artisketch\": 1, \"skeleton\": 3}");
+  EXPECT_FALSE(h.said().empty());
+  h.open("noise.png", "no picture at all");
+  EXPECT_TRUE(h.says("noise.png"));
+  expect_nothing_happened();
+}
+
+TEST_F(Files, AnErrorOfThePlatformIsSaid) {
+  h.editor().open(io_error("the tablet was pulled out"));
+  h.frame();
+  EXPECT_TRUE(h.says("the tablet was pulled out"));
+  h.editor().open(Error{Error::Kind::cancelled, {"never mind"}});
+  h.frame();
+  EXPECT_FALSE(h.says("never mind"));
+}
+
+TEST(FilesAlone, AnExampleWithoutAModelIsReconstructed) {
+  Harness h({"circles", "heart"});
+  h.platform.with_models = false;
+  h.click("Example Heart");
+  h.settle();
+  EXPECT_EQ(h.document().name, "heart");
+  EXPECT_TRUE(h.state().has_model);
+}
+
+TEST(FilesAlone, AnExampleComesWithItsModel) {
+  Harness h({"circles", "heart"});
+  h.click("Example Heart");
+  EXPECT_EQ(h.document().name, "heart");
+  EXPECT_TRUE(h.state().has_model);
+  EXPECT_EQ(h.state().mode, "outline");
+}
+
+TEST(FilesAlone, AnExampleThatIsMissingIsSaid) {
+  Harness h({"circles", "heart"});
+  h.platform.no_example = io_error("no connection");
+  h.click("Example Heart");
+  EXPECT_TRUE(h.says("no connection"));
+}
+
+// ---------------------------------------------------------------- drawings
+
+TEST(FilesAlone, ADroppedDrawingBeginsADocument) {
+  Harness h;
+  h.open("ann.png", drawn());
+  EXPECT_EQ(h.state().frames, 1);
+  EXPECT_EQ(h.document().frames[0].name, "ann");
+  EXPECT_EQ(h.document().frames[0].width, 120);
+  EXPECT_EQ(h.state().undo, "Add ann");
+  EXPECT_TRUE(h.says("A person's skeleton lies over the drawing."));
+  // As tall as the figure.
+  const double head = h.middle("Sketch").y() * 0;
+  (void)head;
+  h.click("Choose another");
+  EXPECT_EQ(h.state().mode, "skeleton");
+}
+
+TEST_F(Files, AddDrawingsPutsThemAtTheEnd) {
+  h.platform.to_open.push_back(std::vector<NamedBytes>{{"back.png", drawn(), ""}});
+  h.click("Add drawing");
+  EXPECT_EQ(h.platform.asked.back(), Platform::Kind::drawings);
+  EXPECT_EQ(h.state().frames, 4);
+  EXPECT_EQ(h.state().frame, 3);
+  expect_step("Add back");
+}
+
+TEST_F(Files, WithoutDialogsADrawingsPathIsTyped) {
+  h.platform.dialogs = false;
+  h.platform.files["/a/back.png"] = drawn();
+  h.click("Add drawing");
+  h.frames(3);
+  h.type("/a/back.png");
+  h.key(ImGuiKey_Enter);
+  EXPECT_EQ(h.state().frames, 4);
+}
+
+TEST(FilesAlone, ASheetIsCutUpOrTakenWhole) {
+  for (const bool cut : {true, false}) {
+    Harness h;
+    h.open("sheet.png", drawn(3));
+    ASSERT_NE(h.find("Cut it up"), nullptr);
+    h.click(cut ? "Cut it up" : "One drawing");
+    EXPECT_EQ(h.state().frames, cut ? 3 : 1);
+    EXPECT_EQ(h.state().undo, cut ? "Add 3 drawings" : "Add sheet");
+  }
+}
+
+TEST(FilesAlone, ASheetIsCutAsThePersonSays) {
+  Harness h;
+  h.open("sheet.png", drawn(4));
+  h.frames(3);
+  h.key(ImGuiKey_A, ImGuiMod_Ctrl);
+  h.type("2 x 1");
+  h.key(ImGuiKey_Enter);
+  EXPECT_EQ(h.state().frames, 2);
+  EXPECT_EQ(h.document().frames[0].width, 240);
+  h.open("sheet.png", drawn(4));
+  h.frames(3);
+  h.key(ImGuiKey_A, ImGuiMod_Ctrl);
+  h.type("many");
+  h.key(ImGuiKey_Enter);
+  EXPECT_TRUE(h.says("say 4 × 2"));
+  EXPECT_EQ(h.state().frames, 2);
+}
+
+TEST_F(Files, BlankPaperIsAsLargeAsTheOthers) {
+  h.click("Menu");
+  h.click("Menu Blank paper");
+  EXPECT_EQ(h.state().frames, 4);
+  EXPECT_EQ(h.document().frames[3].width, h.document().frames[0].width);
+  EXPECT_TRUE(h.active("Draw tool"));
+  expect_step("Add Drawing 4");
+}
+
+// ---------------------------------------------------------------- the strip
+
+TEST_F(Files, TheStripsMenuCopiesMovesAndRemoves) {
+  h.right_click("Drawing card 1");
+  h.click("Duplicate drawing");
+  EXPECT_EQ(h.state().frames, 4);
+  EXPECT_EQ(h.state().frame, 1);
+  expect_step("Duplicate drawing");
+  begin();
+  h.right_click("Drawing card 2");
+  h.click("Move right");
+  EXPECT_EQ(h.state().frame, 2);
+  expect_step("Move drawing");
+  begin();
+  h.right_click("Drawing card 3");
+  h.click("Move left");
+  expect_step("Move drawing");
+  begin();
+  h.right_click("Drawing card 2");
+  h.click("Remove drawing");
+  EXPECT_EQ(h.state().frames, 3);
+  expect_step("Remove drawing");
+}
+
+TEST_F(Files, ACardIsDraggedToItsPlace) {
+  const Vec2 first = h.middle("Drawing card 1"), second = h.middle("Drawing card 2");
+  h.drag(first, {1.1 * (second.x() - first.x()), 0}, 12);
+  EXPECT_EQ(h.document().frames[1].name, was.frames[0].name);
+  EXPECT_EQ(h.state().frame, 1);
+  expect_step("Move drawing");
+}
+
+TEST_F(Files, TheCameraIsOneForAll) {
+  h.click("Perspective");
+  EXPECT_EQ(h.document().camera.type, Camera::Type::orthographic);
+  expect_step("Orthographic camera");
+  h.click("Orthographic");
+  EXPECT_EQ(h.document().camera.type, Camera::Type::perspective);
+}
+
+// ---------------------------------------------------------------- for a crash
+
+TEST_F(Files, WorkIsKeptSoonAfterAChange) {
+  EXPECT_FALSE(h.platform.kept.contains("autosave"));
+  edit();
+  h.wait(2);
+  ASSERT_TRUE(h.platform.kept.contains("autosave"));
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl);
+  EXPECT_FALSE(h.platform.kept.contains("autosave"));
+}
+
+TEST_F(Files, WorkIsKeptWhileChangesGoOn) {
+  edit();
+  h.click("Hand L in 1");
+  for (int i = 0; i < 16; ++i) {
+    h.key(i % 2 ? ImGuiKey_RightBracket : ImGuiKey_LeftBracket);
+    h.wait(0.2);
+  }
+  EXPECT_TRUE(h.platform.kept.contains("autosave"));
+}
+
+TEST(FilesAlone, WhatACrashLeftIsOffered) {
+  Harness first;
+  first.open_example("hero");
+  first.click("Hand R in 1");
+  first.key(ImGuiKey_Delete);
+  first.wait(2);
+  const std::string left = first.platform.kept["autosave"];
+  ASSERT_FALSE(left.empty());
+  for (const bool keep : {true, false}) {
+    Harness next({}, left);
+    EXPECT_TRUE(next.says("Work from last time was not saved."));
+    next.click(keep ? "Keep" : "Discard");
+    EXPECT_EQ(next.document().frames.size(), keep ? 3u : 0u);
+    EXPECT_EQ(next.editor().unsaved(), keep);
+    EXPECT_TRUE(keep || !next.platform.kept.contains("autosave"));
+  }
+}
+
+}  // namespace
+}  // namespace artisketch

@@ -1,0 +1,529 @@
+// Outline: its tools and commands, by what they make of the document.
+#include <gtest/gtest.h>
+
+#include "editor/step.h"
+
+namespace artisketch {
+namespace {
+
+class Outline : public WithDocument {
+ protected:
+  // By a click on its line, where nothing else is near.
+  void choose(const std::string& name) {
+    h.click(on_screen(h, lowest(outline(h, name))));
+    h.wait(0.5);
+  }
+};
+
+// ---------------------------------------------------------------- Edit
+
+TEST_F(Outline, EditChoosesTheOutlineUnderThePointer) {
+  choose("hand.R");
+  EXPECT_TRUE(h.active("Hand R"));
+  EXPECT_TRUE(h.enabled("Redraw"));
+  h.click(h.on_screen(4, 4));  // paper
+  EXPECT_FALSE(h.active("Hand R"));
+  EXPECT_EQ(h.find("Redraw"), nullptr);
+  expect_nothing_happened();
+}
+
+TEST_F(Outline, EditDragsAPoint) {
+  choose("hand.R");
+  const Polyline was = outline(h, "hand.R");
+  h.drag(on_screen(h, lowest(was)), {4, 12});
+  const Polyline now = outline(h, "hand.R");
+  EXPECT_EQ(now.points.size(), was.points.size());
+  EXPECT_NEAR(lowest(now).y(), lowest(was).y() + 12 / zoom(h), 2);
+  EXPECT_NEAR(leftmost(now).x(), leftmost(was).x(), 1e-9) << "what is far stays";
+  expect_step("Move point");
+}
+
+TEST_F(Outline, EditBendsAnEdgeWhereItIsHeld) {
+  choose("hand.R");
+  const Polyline was = outline(h, "hand.R");
+  // Seen from near, the middle of the longest edge is no handle.
+  std::size_t longest = 0;
+  const auto length = [&](std::size_t s) { return (was.end_of(s) - was.points[s]).norm(); };
+  for (std::size_t s = 0; s < was.segments(); ++s)
+    if (length(s) > length(longest)) longest = s;
+  const Vec2 middle = (was.points[longest] + was.end_of(longest)) / 2;
+  h.point_at(on_screen(h, middle));
+  for (int i = 0; i < 12; ++i) h.wheel(1);
+  h.drag(on_screen(h, middle), {9, -9});
+  EXPECT_EQ(outline(h, "hand.R").points.size(), was.points.size() + 1);
+  expect_step("Move point");
+}
+
+TEST_F(Outline, EditAddsAPointByDoubleClick) {
+  choose("hand.R");
+  const Polyline was = outline(h, "hand.R");
+  std::size_t longest = 0;
+  const auto length = [&](std::size_t s) { return (was.end_of(s) - was.points[s]).norm(); };
+  for (std::size_t s = 0; s < was.segments(); ++s)
+    if (length(s) > length(longest)) longest = s;
+  const Vec2 middle = (was.points[longest] + was.end_of(longest)) / 2;
+  h.point_at(on_screen(h, middle));
+  for (int i = 0; i < 12; ++i) h.wheel(1);
+  h.double_click(on_screen(h, middle));
+  EXPECT_EQ(outline(h, "hand.R").points.size(), was.points.size() + 1);
+  expect_step("Add point");
+}
+
+TEST_F(Outline, DeleteRemovesThePointUnderThePointer) {
+  choose("hand.R");
+  const Polyline was = outline(h, "hand.R");
+  h.point_at(on_screen(h, lowest(was)));
+  h.frame();
+  h.key(ImGuiKey_Delete);
+  EXPECT_LT(outline(h, "hand.R").points.size(), was.points.size());
+  expect_step("Delete point");
+}
+
+TEST_F(Outline, DeleteRemovesTheOutlineWhereNoPointIsNear) {
+  choose("hand.R");
+  h.point_at(h.on_screen(4, 4));
+  h.key(ImGuiKey_Delete);
+  EXPECT_TRUE(outlines(h, "hand.R").empty());
+  expect_step("Delete Hand R");
+}
+
+TEST_F(Outline, DeleteNeedsAnOutline) {
+  h.key(ImGuiKey_Delete);
+  expect_nothing_happened();
+  EXPECT_FALSE(h.enabled("Delete tool"));
+}
+
+TEST_F(Outline, EscLetsGoOfWhatIsChosen) {
+  choose("hand.R");
+  h.key(ImGuiKey_Escape);
+  EXPECT_EQ(h.find("Redraw"), nullptr);
+}
+
+// ---------------------------------------------------------------- Draw
+
+TEST_F(Outline, DrawProposesAPartAndEnterKeepsIt) {
+  h.key(ImGuiKey_D);
+  EXPECT_TRUE(h.active("Draw tool"));
+  h.draw(circle(h.on_screen(250, 330), 40));
+  EXPECT_TRUE(text(h) == before) << "it only waits to be kept";
+  const std::size_t count = contours(h).size();
+  h.key(ImGuiKey_Enter);
+  ASSERT_EQ(contours(h).size(), count + 1);
+  const Contour& drawn = contours(h).back();
+  EXPECT_TRUE(drawn.line.closed);
+  EXPECT_NEAR(centre(drawn.line).x(), 250, 4);
+  EXPECT_NEAR(centre(drawn.line).y(), 330, 4);
+  EXPECT_TRUE(h.state().undo.starts_with("Draw "));
+  expect_step(h.state().undo);
+}
+
+TEST_F(Outline, TabGivesTheNewOutlineToTheNextCandidate) {
+  h.key(ImGuiKey_D);
+  h.draw(circle(h.on_screen(250, 330), 40));
+  std::vector<std::string> cards;
+  for (const std::string& label : h.labels())
+    if (label.starts_with("Assign ")) cards.push_back(label.substr(7));
+  ASSERT_GT(cards.size(), 1u);
+  EXPECT_TRUE(h.active("Assign " + cards[0]));
+  h.key(ImGuiKey_Tab);
+  EXPECT_TRUE(h.active("Assign " + cards[1]));
+  h.click("Assign " + cards[0]);
+  EXPECT_TRUE(h.active("Assign " + cards[0]));
+  h.key(ImGuiKey_Tab);
+  h.key(ImGuiKey_Enter);
+  expect_step("Draw " + cards[1]);
+}
+
+TEST_F(Outline, DrawingOnKeepsTheNewOutline) {
+  h.key(ImGuiKey_D);
+  h.draw(circle(h.on_screen(250, 330), 40));
+  h.draw(circle(h.on_screen(250, 520), 30));
+  EXPECT_TRUE(h.state().undo.starts_with("Draw "));
+  const std::string first = text(h);
+  h.key(ImGuiKey_Escape);  // the second goes
+  h.key(ImGuiKey_Enter);
+  EXPECT_TRUE(text(h) == first);
+}
+
+TEST_F(Outline, EscDropsTheNewOutline) {
+  h.key(ImGuiKey_D);
+  h.draw(circle(h.on_screen(250, 330), 40));
+  h.key(ImGuiKey_Escape);
+  h.key(ImGuiKey_Enter);
+  expect_nothing_happened();
+}
+
+TEST_F(Outline, AltDrawsAnOpenStroke) {
+  h.key(ImGuiKey_D);
+  h.hold(ImGuiMod_Alt, true);
+  h.draw(circle(h.on_screen(250, 330), 40));
+  h.hold(ImGuiMod_Alt, false);
+  h.key(ImGuiKey_Enter);
+  EXPECT_FALSE(contours(h).back().line.closed);
+}
+
+TEST_F(Outline, ADotIsNoOutline) {
+  h.key(ImGuiKey_D);
+  h.click(h.on_screen(250, 330));
+  h.key(ImGuiKey_Enter);
+  expect_nothing_happened();
+}
+
+TEST_F(Outline, SmoothMakesTheNewOutlineSmoother) {
+  h.key(ImGuiKey_D);
+  const Vec2 middle = h.on_screen(250, 330);
+  std::vector<Vec2> zigzag;
+  for (const Vec2& p : circle(middle, 50))
+    zigzag.push_back(middle + (p - middle) * (zigzag.size() % 2 ? 0.9 : 1.1));
+  h.draw(zigzag);
+  const Vec2 bar = h.middle("Smooth");
+  h.drag(bar, {200, 0});
+  h.key(ImGuiKey_Enter);
+  double nearest = 1e9, farthest = 0;
+  for (const Vec2& p : contours(h).back().line.points) {
+    const double r = (p - centre(contours(h).back().line)).norm();
+    nearest = std::min(nearest, r);
+    farthest = std::max(farthest, r);
+  }
+  EXPECT_LT(farthest / nearest, 1.1) << "the zigzag is 1.2 to 1";
+}
+
+TEST_F(Outline, AStrokeFromTheOutlineToItselfRedrawsThatStretch) {
+  choose("hand.R");
+  h.click("Draw tool");
+  const Polyline was = outline(h, "hand.R");
+  const Vec2 left = leftmost(was), right = rightmost(was);
+  const Vec2 bulge((left.x() + right.x()) / 2, lowest(was).y() + 25);
+  std::vector<Vec2> stroke;
+  for (int i = 0; i <= 24; ++i) {
+    const double t = i / 24.0;
+    stroke.push_back(
+        on_screen(h, (1 - t) * (1 - t) * left + 2 * t * (1 - t) * bulge + t * t * right));
+  }
+  h.draw(stroke);
+  EXPECT_EQ(outlines(h, "hand.R").size(), 1u);
+  expect_step("Redraw Hand R");
+}
+
+TEST_F(Outline, RedrawPutsTheNextOutlineInPlaceOfTheChosenOne) {
+  choose("hand.R");
+  h.key(ImGuiKey_D, ImGuiMod_Shift);
+  EXPECT_TRUE(h.active("Draw tool"));
+  const std::size_t count = contours(h).size();
+  h.draw(circle(on_screen(h, centre(outline(h, "hand.R"))), 60));
+  EXPECT_EQ(contours(h).size(), count);
+  EXPECT_NEAR(rightmost(outline(h, "hand.R")).x() - leftmost(outline(h, "hand.R")).x(),
+              120 / zoom(h), 6);
+  expect_step("Redraw Hand R");
+}
+
+TEST_F(Outline, RedrawNeedsAnOutline) {
+  h.key(ImGuiKey_D, ImGuiMod_Shift);
+  EXPECT_FALSE(h.active("Draw tool"));
+}
+
+// ---------------------------------------------------------------- Points
+
+TEST_F(Outline, PointsSetsCornersAndEnterCloses) {
+  h.key(ImGuiKey_P);
+  EXPECT_TRUE(h.active("Points tool"));
+  const std::vector<Vec2> corners = {{200, 300}, {300, 300}, {300, 400}, {200, 400}};
+  for (const Vec2& corner : corners) h.click(on_screen(h, corner));
+  h.key(ImGuiKey_Enter);  // closes
+  EXPECT_TRUE(text(h) == before);
+  h.key(ImGuiKey_Enter);  // keeps
+  const Polyline& line = contours(h).back().line;
+  EXPECT_TRUE(line.closed);
+  EXPECT_NEAR(std::abs(signed_area(line)), 100 * 100, 200);
+  expect_step(h.state().undo);
+}
+
+TEST_F(Outline, PointsClosesByAClickOnTheFirst) {
+  h.key(ImGuiKey_P);
+  for (const Vec2& corner : {Vec2(200, 300), Vec2(300, 300), Vec2(300, 400), Vec2(200, 300)})
+    h.click(on_screen(h, corner));
+  h.key(ImGuiKey_Enter);
+  EXPECT_NEAR(std::abs(signed_area(contours(h).back().line)), 100 * 100 / 2, 200);
+}
+
+TEST_F(Outline, BackspaceTakesTheLastPointBack) {
+  h.key(ImGuiKey_P);
+  for (const Vec2& corner : {Vec2(200, 300), Vec2(300, 300), Vec2(300, 400), Vec2(210, 600)})
+    h.click(on_screen(h, corner));
+  h.key(ImGuiKey_Backspace);
+  h.key(ImGuiKey_Enter);
+  h.key(ImGuiKey_Enter);
+  EXPECT_NEAR(lowest(contours(h).back().line).y(), 400, 2);
+}
+
+TEST_F(Outline, DraggingFromAPointBendsTheCurve) {
+  h.key(ImGuiKey_P);
+  h.click(h.on_screen(200, 300));
+  h.drag(h.on_screen(300, 300), {40, 0});
+  h.click(h.on_screen(250, 420));
+  h.key(ImGuiKey_Enter);
+  h.key(ImGuiKey_Enter);
+  const Polyline& line = contours(h).back().line;
+  EXPECT_GT(line.points.size(), 6u) << "a curve, not three corners";
+  EXPECT_GT(rightmost(line).x(), 302);
+}
+
+TEST_F(Outline, TwoPointsAreNoOutline) {
+  h.key(ImGuiKey_P);
+  h.click(h.on_screen(200, 300));
+  h.click(h.on_screen(300, 300));
+  h.key(ImGuiKey_Enter);
+  h.key(ImGuiKey_Enter);
+  h.key(ImGuiKey_Escape);
+  expect_nothing_happened();
+}
+
+// ---------------------------------------------------------------- Trace
+
+TEST_F(Outline, TraceOutlinesTheShapeUnderThePointer) {
+  h.key(ImGuiKey_T);
+  EXPECT_TRUE(h.active("Trace tool"));
+  h.click(h.on_screen(285, 600));
+  EXPECT_NE(h.find("Tolerance"), nullptr);
+  h.key(ImGuiKey_Enter);
+  EXPECT_TRUE(contains(contours(h).back().line, Vec2(285, 600)));
+  EXPECT_TRUE(h.state().undo.starts_with("Trace "));
+  expect_step(h.state().undo);
+}
+
+TEST_F(Outline, TraceTakesInMoreTheFartherItIsDragged) {
+  h.key(ImGuiKey_T);
+  h.click(h.on_screen(285, 600));
+  h.key(ImGuiKey_Enter);
+  const double part = std::abs(signed_area(contours(h).back().line));
+  h.drag(h.on_screen(285, 600), {260, 0});
+  h.key(ImGuiKey_Enter);
+  EXPECT_GT(std::abs(signed_area(contours(h).back().line)), 2 * part);
+}
+
+TEST_F(Outline, ToleranceChangesWhatWasTraced) {
+  h.key(ImGuiKey_T);
+  h.click(h.on_screen(285, 600));
+  h.drag(h.middle("Tolerance"), {400, 0});
+  h.key(ImGuiKey_Enter);
+  EXPECT_GT(std::abs(signed_area(contours(h).back().line)), 60000) << "the whole figure";
+}
+
+TEST_F(Outline, TraceSaysWhatPaperIs) {
+  h.key(ImGuiKey_T);
+  h.click(h.on_screen(8, 8));
+  EXPECT_TRUE(h.says("That is paper."));
+  expect_nothing_happened();
+}
+
+TEST(OutlineAlone, TraceNeedsAPicture) {
+  Harness h;
+  h.click("Blank paper");
+  h.click("Outline mode");
+  h.key(ImGuiKey_T);
+  h.click(h.on_screen(400, 400));
+  EXPECT_TRUE(h.says("There is no picture to trace here."));
+}
+
+// ---------------------------------------------------------------- Cut
+
+TEST_F(Outline, CutMakesTwoThatOverlap) {
+  h.key(ImGuiKey_K);
+  EXPECT_TRUE(h.active("Cut tool"));
+  const Polyline was = outline(h, "forearm.R");
+  const Vec2 middle = centre(was);
+  choose("forearm.R");  // by the Cut tool a click is a line of no length
+  h.key(ImGuiKey_V);
+  choose("forearm.R");
+  h.key(ImGuiKey_K);
+  const std::size_t count = contours(h).size();
+  h.drag(on_screen(h, middle - Vec2(0, 60)), Vec2(0, 120) * zoom(h));
+  ASSERT_EQ(contours(h).size(), count + 1);
+  EXPECT_TRUE(h.state().undo.starts_with("Cut "));
+}
+
+TEST_F(Outline, CutNeedsALineRightAcross) {
+  h.key(ImGuiKey_K);
+  h.drag(h.on_screen(4, 4), {30, 0});
+  EXPECT_TRUE(h.says("Draw the line right across one outline."));
+  expect_nothing_happened();
+}
+
+// ---------------------------------------------------------------- commands
+
+TEST_F(Outline, MirrorMakesTheOtherSides) {
+  choose("hand.R");
+  h.key(ImGuiKey_M);
+  EXPECT_EQ(outlines(h, "hand.L").size(), 2u);
+  EXPECT_TRUE(h.active("Hand L")) << "and chooses it";
+  expect_step("Mirror Hand R");
+}
+
+TEST_F(Outline, MirrorNeedsAnotherSide) {
+  choose("head");
+  EXPECT_FALSE(h.enabled("Mirror tool"));
+  h.key(ImGuiKey_M);
+  expect_nothing_happened();
+}
+
+TEST_F(Outline, CopyToBringsItToTheNextDrawing) {
+  choose("hand.R");
+  const std::size_t count = outlines(h, "hand.R", 1).size();
+  h.key(ImGuiKey_C);
+  EXPECT_EQ(outlines(h, "hand.R", 1).size(), count + 1);
+  EXPECT_EQ(h.state().frame, 1);
+  EXPECT_EQ(h.state().undo, "Copy Hand R");
+}
+
+TEST(OutlineAlone, CopyToNeedsASecondDrawing) {
+  Harness h;
+  h.click("Blank paper");
+  h.click("Outline mode");
+  h.draw(circle(h.on_screen(400, 400), 60));
+  h.key(ImGuiKey_Enter);
+  ASSERT_EQ(contours(h).size(), 1u);
+  EXPECT_FALSE(h.enabled("Copy to tool"));
+  const std::string before = text(h);
+  h.key(ImGuiKey_C);
+  EXPECT_TRUE(text(h) == before);
+}
+
+TEST_F(Outline, BehindAndInFrontShiftAmongTheOthers) {
+  choose("hand.R");
+  const int was = place_of(h, "hand.R");
+  ASSERT_GT(was, 0);
+  h.key(ImGuiKey_LeftBracket);
+  EXPECT_EQ(place_of(h, "hand.R"), was - 1);
+  EXPECT_EQ(h.state().undo, "Hand R behind");
+  h.key(ImGuiKey_RightBracket);
+  EXPECT_EQ(h.state().undo, "Hand R in front");
+  EXPECT_TRUE(text(h) == before);
+}
+
+TEST_F(Outline, NothingIsBehindTheLastOrInFrontOfTheFirst) {
+  h.click("Hips in 1");
+  while (h.find("Behind tool")->enabled) h.click("Behind tool");
+  const std::string last = text(h);
+  h.key(ImGuiKey_LeftBracket);
+  EXPECT_TRUE(text(h) == last);
+  for (std::size_t i = 0; i < 2 * contours(h).size(); ++i) h.key(ImGuiKey_RightBracket);
+  const std::string first = text(h);
+  h.key(ImGuiKey_RightBracket);
+  EXPECT_TRUE(text(h) == first);
+  EXPECT_EQ(place_of(h, "hips"), int(contours(h).size()) - 1);
+}
+
+TEST_F(Outline, OtherJointGivesItToTheJointClickedNext) {
+  choose("hand.R");
+  const Polyline line = outline(h, "hand.R");
+  h.key(ImGuiKey_O);
+  EXPECT_TRUE(h.active("Other joint"));
+  h.click("Hand L");  // in the list of parts
+  EXPECT_FALSE(h.active("Other joint"));
+  EXPECT_EQ(outlines(h, "hand.L").size(), 2u);
+  EXPECT_TRUE(outlines(h, "hand.R").empty());
+  expect_step("Give to Hand L");
+}
+
+TEST_F(Outline, OtherJointTwiceIsNone) {
+  choose("hand.R");
+  h.key(ImGuiKey_O);
+  h.key(ImGuiKey_O);
+  EXPECT_FALSE(h.active("Other joint"));
+}
+
+TEST_F(Outline, JoinTakesTheOutlineClickedNext) {
+  choose("hand.R");
+  const std::size_t count = contours(h).size();
+  const double own = std::abs(signed_area(outline(h, "hand.R")));
+  h.key(ImGuiKey_J);
+  EXPECT_TRUE(h.active("Join"));
+  // At a place of its line that is far from the hand.
+  const std::vector<Vec2> line = outline(h, "forearm.R").points;
+  const Vec2 hand = centre(outline(h, "hand.R"));
+  h.click(on_screen(h, *std::max_element(line.begin(), line.end(), [&](auto& a, auto& b) {
+                      return (a - hand).norm() < (b - hand).norm();
+                    })));
+  EXPECT_EQ(contours(h).size(), count - 1);
+  EXPECT_GT(std::abs(signed_area(outline(h, "hand.R"))), 1.2 * own);
+  EXPECT_FALSE(h.active("Join"));
+  expect_step("Join Hand R");
+}
+
+TEST_F(Outline, JoinSaysThatOutlinesMustTouch) {
+  choose("hand.R");
+  h.key(ImGuiKey_J);
+  h.click(on_screen(h, lowest(outline(h, "foot.L"))));
+  EXPECT_TRUE(h.says("Only outlines that touch can be joined, or strokes."));
+  expect_nothing_happened();
+}
+
+// An eight: its middle crosses itself.
+std::vector<Vec2> eight(const Vec2& middle, double size) {
+  std::vector<Vec2> places;
+  for (int i = 0; i <= 64; ++i) {
+    const double a = 2 * M_PI * i / 64 + 0.3;
+    places.push_back(middle + size * Vec2(std::sin(a), std::sin(2 * a) / 1.5));
+  }
+  return places;
+}
+
+TEST_F(Outline, MendPutsRightWhatCrossesItself) {
+  h.key(ImGuiKey_D);
+  h.draw(eight(h.on_screen(250, 330), 60));
+  EXPECT_NE(h.find("Mend new"), nullptr);
+  h.key(ImGuiKey_Enter);
+  ASSERT_TRUE(h.enabled("Mend"));
+  const std::string crossed = text(h);
+  h.key(ImGuiKey_M, ImGuiMod_Shift);
+  EXPECT_TRUE(h.state().undo.starts_with("Mend "));
+  EXPECT_FALSE(h.enabled("Mend"));
+  h.key(ImGuiKey_Z, ImGuiMod_Ctrl);
+  EXPECT_TRUE(text(h) == crossed);
+}
+
+TEST_F(Outline, MendOfANewOutlineIsNoStepOfItsOwn) {
+  h.key(ImGuiKey_D);
+  h.draw(eight(h.on_screen(250, 330), 60));
+  h.click("Mend new");
+  EXPECT_EQ(h.find("Mend new"), nullptr);
+  EXPECT_TRUE(text(h) == before);
+}
+
+TEST_F(Outline, MendNeedsACrossing) {
+  choose("hand.R");
+  EXPECT_FALSE(h.enabled("Mend"));
+  h.key(ImGuiKey_M, ImGuiMod_Shift);
+  expect_nothing_happened();
+}
+
+TEST_F(Outline, HiddenHereSettlesWhatADrawingLacks) {
+  h.click("Hand R in 2");
+  h.key(ImGuiKey_Delete);
+  h.click("Hand R in 2");
+  EXPECT_NE(h.find("Missing in Side"), nullptr);
+  const std::string missing = text(h);
+  h.key(ImGuiKey_H, ImGuiMod_Shift);
+  EXPECT_EQ(h.state().undo, "Hide Hand R");
+  EXPECT_TRUE(is_hidden(h.document().frames[1], joint(h, "hand.R")));
+  EXPECT_NE(h.find("Hidden in Side"), nullptr);
+  h.key(ImGuiKey_H, ImGuiMod_Shift);
+  EXPECT_EQ(h.state().undo, "Unhide Hand R");
+  EXPECT_TRUE(text(h) == missing);
+}
+
+TEST_F(Outline, WhatIsOutlinedIsNotHidden) {
+  choose("hand.R");
+  h.key(ImGuiKey_H, ImGuiMod_Shift);
+  expect_nothing_happened();
+}
+
+TEST_F(Outline, TheMenuOfAnOutlineDoesTheSame) {
+  h.click(on_screen(h, lowest(outline(h, "hand.R"))), ImGuiMouseButton_Right);
+  ASSERT_NE(h.find("Mirror"), nullptr);
+  h.click("Mirror");
+  expect_step("Mirror Hand R");
+}
+
+}  // namespace
+}  // namespace artisketch

@@ -1,0 +1,381 @@
+// Result: posing the model, its clips and keys, its joints' spheres, its parts' fatness, export.
+#include <gtest/gtest.h>
+
+#include "document/edit.h"
+#include "editor/step.h"
+
+namespace artisketch {
+namespace {
+
+class ResultMode : public WithDocument {
+ protected:
+  ResultMode() {
+    h.key(ImGuiKey_R);
+    h.settle();
+    h.key(ImGuiKey_4);
+    h.frames(2);
+  }
+  void expect_view_moved(const std::string& label, const Vec2& from) {
+    EXPECT_GT((h.middle(label) - from).norm(), 2);
+  }
+};
+
+TEST_F(ResultMode, ReconstructMakesTheModelAndSaysSo) {
+  EXPECT_TRUE(h.state().has_model);
+  EXPECT_TRUE(h.says("The model is ready."));
+  EXPECT_EQ(h.state().mode, "result");
+  expect_nothing_happened();
+}
+
+TEST_F(ResultMode, OrbitLooksAroundAndChangesNothing) {
+  h.click("Pose tool");
+  const Vec2 hand = h.middle("Pose Hand L");
+  h.key(ImGuiKey_O);
+  EXPECT_TRUE(h.active("Orbit tool"));
+  h.drag(h.middle("Turn the model"), {80, 20});
+  h.click("Pose tool");
+  expect_view_moved("Pose Hand L", hand);
+  expect_nothing_happened();
+  h.key(ImGuiKey_Home);
+  EXPECT_LT((h.middle("Pose Hand L") - hand).norm(), 1);
+}
+
+TEST_F(ResultMode, TheWheelComesNearerAndShiftPans) {
+  h.click("Pose tool");
+  const Vec2 top = h.middle("Pose Head tip"), foot = h.middle("Pose Foot L");
+  h.point_at(h.middle("Turn the model"));
+  h.wheel(3);
+  EXPECT_GT((h.middle("Pose Head tip") - h.middle("Pose Foot L")).norm(),
+            1.2 * (top - foot).norm());
+  h.key(ImGuiKey_Home);
+  const Vec2 home = h.middle("Pose Foot L");
+  h.click("Orbit tool");
+  h.hold(ImGuiMod_Shift, true);
+  h.drag(h.middle("Turn the model"), {50, 0});
+  h.hold(ImGuiMod_Shift, false);
+  h.click("Pose tool");
+  EXPECT_GT((h.middle("Pose Foot L") - home).x(), 20);
+}
+
+TEST_F(ResultMode, PoseDragsTheModelsJointsUntilReset) {
+  h.click("Pose tool");
+  EXPECT_FALSE(h.enabled("Reset tool"));
+  const Vec2 hand = h.middle("Pose Hand L");
+  h.drag(hand, {0, -40});
+  EXPECT_GT((h.middle("Pose Hand L") - hand).norm(), 10);
+  expect_nothing_happened();
+  h.click("Reset tool");
+  EXPECT_LT((h.middle("Pose Hand L") - hand).norm(), 1);
+}
+
+TEST_F(ResultMode, SetKeyOfADraggedPoseBeginsAClip) {
+  h.click("Pose tool");
+  h.drag(h.middle("Pose Hand L"), {0, -40});
+  h.key(ImGuiKey_I);
+  ASSERT_EQ(h.document().animations.size(), 1u);
+  EXPECT_EQ(h.document().animations[0].keys.size(), 1u);
+  expect_step("New clip");
+}
+
+TEST_F(ResultMode, KeysOfOnesOwnClip) {
+  h.click("New clip");
+  EXPECT_EQ(h.state().undo, "New clip");
+  const std::string clip = h.document().animations[0].name;
+  EXPECT_TRUE(h.active("Clip " + clip));
+  // Another pose, half a second later.
+  const Widget& ruler = h.widget("Playhead");
+  h.click(Vec2(ruler.x + 0.3 * ruler.width, ruler.y + 6));
+  h.click("Pose tool");
+  h.drag(h.middle("Pose Hand L"), {0, -40});
+  begin();
+  h.key(ImGuiKey_I);
+  ASSERT_EQ(h.document().animations[0].keys.size(), 2u);
+  expect_step("Set key of " + clip);
+
+  // It moves in time.
+  const double time = h.document().animations[0].keys[1].time;
+  begin();
+  h.drag(h.middle("Key 2 of " + clip), {40, 0});
+  EXPECT_GT(h.document().animations[0].keys[1].time, time);
+  expect_step("Move key of " + clip);
+
+  // Deleted, the first remains.
+  h.click("Key 2 of " + clip);
+  EXPECT_TRUE(h.active("Key 2 of " + clip));
+  begin();
+  h.key(ImGuiKey_Delete);
+  EXPECT_EQ(h.document().animations[0].keys.size(), 1u);
+  expect_step("Delete key of " + clip);
+  begin();
+  h.right_click("Clip " + clip);
+  h.click("Remove clip");
+  EXPECT_TRUE(h.document().animations.empty());
+  expect_step("Remove " + clip);
+}
+
+TEST_F(ResultMode, DeleteWithoutAKeyDeletesNothing) {
+  h.key(ImGuiKey_Delete);
+  expect_nothing_happened();
+}
+
+TEST_F(ResultMode, PlayMovesTheModelAndStops) {
+  h.click("Pose tool");
+  const Vec2 hand = h.middle("Pose Hand L");
+  h.key(ImGuiKey_Space);
+  EXPECT_NE(h.find("Pause"), nullptr);
+  h.wait(0.5);
+  EXPECT_GT((h.middle("Pose Hand L") - hand).norm(), 2);
+  EXPECT_TRUE(h.editor().wants_frame() || h.editor().next_frame_in() < 0.02);
+  h.click("Pause");
+  const Vec2 there = h.middle("Pose Hand L");
+  h.wait(0.5);
+  EXPECT_EQ(h.middle("Pose Hand L"), there);
+}
+
+TEST_F(ResultMode, WithoutLoopItStopsAtTheEnd) {
+  h.click("Loop");
+  h.click("Play");
+  h.wait(8);
+  EXPECT_NE(h.find("Play"), nullptr);
+  h.click("Play");  // from the beginning
+  h.wait(0.3);
+  EXPECT_EQ(h.state().frame, 0);
+}
+
+TEST_F(ResultMode, WithLoopItBeginsAgain) {
+  h.click("Play");
+  bool came_to_last = false, came_back = false;
+  for (int i = 0; i < 100; ++i) {
+    h.wait(0.1);
+    came_to_last = came_to_last || h.state().frame == 2;
+    came_back = came_back || (came_to_last && h.state().frame == 0);
+  }
+  EXPECT_TRUE(came_back);
+}
+
+TEST_F(ResultMode, TheKeysBesideThePlayhead) {
+  h.click("Next key");
+  h.click("Pose tool");
+  const Vec2 second = h.middle("Pose Hand L");
+  h.click("Next key");
+  const Vec2 third = h.middle("Pose Hand L");
+  EXPECT_NE(second, third);
+  h.click("Previous key");
+  EXPECT_EQ(h.middle("Pose Hand L"), second);
+}
+
+TEST_F(ResultMode, JointsChangesASpheresSizeAndPlace) {
+  h.key(ImGuiKey_J);
+  EXPECT_TRUE(h.active("Joints tool"));
+  h.settle();
+  h.drag(h.middle("Sphere rim Head"), {10, 0});
+  const int head = joint(h, "head");
+  ASSERT_TRUE(h.document().spheres.contains(head));
+  EXPECT_TRUE(h.document().spheres.at(head).radius.has_value());
+  EXPECT_LT(h.document().spheres.at(head).offset.norm(), 1e-9);
+  expect_step("Joint of Head");
+  const double radius = *h.document().spheres.at(head).radius;
+  h.drag(h.middle("Sphere Head"), {6, 0});
+  EXPECT_NEAR(*h.document().spheres.at(head).radius, radius, 1e-9);
+  EXPECT_GT(h.document().spheres.at(head).offset.norm(), 1e-3);
+}
+
+TEST_F(ResultMode, FatnessDragsAPart) {
+  h.key(ImGuiKey_W);
+  EXPECT_TRUE(h.active("Fatness tool"));
+  h.drag(h.middle("Fatness of Head"), {75, 0});
+  const int head = joint(h, "head");
+  ASSERT_TRUE(h.document().parts.contains(head));
+  EXPECT_NEAR(h.document().parts.at(head).fatness, std::exp2(0.5), 0.02);
+  expect_step("Fatness of Head");
+  h.settle();
+  h.drag(h.middle("Fatness of Head"), {-75, 0});
+  h.settle();
+}
+
+TEST_F(ResultMode, ThePreviewsSurfaces) {
+  for (const std::string surface : {"Weights", "Wireframe", "Shaded", "Textured"}) {
+    const int painted = h.graphics.painted;
+    h.click(surface);
+    EXPECT_TRUE(h.active(surface));
+    EXPECT_GT(h.graphics.painted, painted - (surface == "Textured")) << surface;
+    EXPECT_EQ(h.graphics.look.edges_alone, surface == "Wireframe");
+    EXPECT_EQ(h.graphics.look.texture != 0, surface == "Textured");
+  }
+  EXPECT_FALSE(h.active("Model skeleton"));
+  h.click("Model skeleton");
+  EXPECT_TRUE(h.active("Model skeleton"));
+}
+
+TEST_F(ResultMode, AChangedDocumentIsSaidToBeAhead) {
+  h.key(ImGuiKey_1);
+  h.click("Hand R in 1");
+  h.key(ImGuiKey_Delete);
+  h.key(ImGuiKey_4);
+  EXPECT_TRUE(h.state().has_model) << "the old one stays";
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  h.click("Export hero.glb");
+  EXPECT_EQ(std::ranges::count(h.jobs.started, JobRequest::Kind::reconstruct), 2)
+      << "it is made again first";
+  h.settle();
+  EXPECT_TRUE(h.says("Exported hero.glb."));
+}
+
+// ---------------------------------------------------------------- export
+
+TEST_F(ResultMode, EachFormatIsAFile) {
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  const std::vector<std::pair<std::string, std::string>> formats = {
+      {"GLB", "glTF"}, {"OBJ", "#"}, {"STL", ""}, {"PLY", "ply"}, {"PNG", "\x89PNG"}};
+  for (const auto& [format, begin] : formats) {
+    std::string name = "hero." + format;
+    std::transform(name.begin(), name.end(), name.begin(), ::tolower);
+    h.click("Format " + format);
+    EXPECT_TRUE(h.active("Format " + format));
+    h.click("Export " + name);
+    ASSERT_TRUE(h.platform.files.contains("/kept/" + name)) << name;
+    EXPECT_TRUE(h.platform.files["/kept/" + name].starts_with(begin)) << name;
+    EXPECT_GT(h.platform.files["/kept/" + name].size(), 1000u) << name;
+    EXPECT_TRUE(h.says("Exported " + name + "."));
+  }
+  h.key(ImGuiKey_Escape);
+  EXPECT_EQ(h.find("Format GLB"), nullptr);
+  expect_nothing_happened();
+}
+
+TEST_F(ResultMode, ASmallerTextureMakesASmallerFile) {
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  h.click("Export hero.glb");
+  const std::size_t whole = h.platform.files["/kept/hero.glb"].size();
+  std::vector<std::string> sizes;
+  for (const std::string& label : h.labels())
+    if (label.starts_with("Texture ")) sizes.push_back(label);
+  ASSERT_EQ(sizes.size(), 3u);
+  h.click(sizes[0]);
+  h.click("Export hero.glb");
+  const std::size_t less = h.platform.files["/kept/hero.glb"].size();
+  EXPECT_LT(less, whole);
+  h.click("None");
+  h.click("Export hero.glb");
+  EXPECT_LT(h.platform.files["/kept/hero.glb"].size(), less);
+}
+
+TEST_F(ResultMode, AClipMayStayBehind) {
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  h.click("Export hero.glb");
+  EXPECT_NE(h.platform.files["/kept/hero.glb"].find("\"frames\""), std::string::npos);
+  h.click("frames");
+  EXPECT_FALSE(h.active("frames"));
+  h.click("Export hero.glb");
+  EXPECT_EQ(h.platform.files["/kept/hero.glb"].find("\"frames\""), std::string::npos);
+  h.click("frames");
+  h.click("Export hero.glb");
+  EXPECT_NE(h.platform.files["/kept/hero.glb"].find("\"frames\""), std::string::npos);
+}
+
+TEST_F(ResultMode, SpritesFromEightSides) {
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  h.click("Format PNG");
+  h.click("Export hero.png");
+  const std::string one = h.platform.files["/kept/hero.png"];
+  h.click("From 8 sides");
+  h.click("Export hero.png");
+  EXPECT_NE(h.platform.files["/kept/hero.png"], one);
+}
+
+TEST_F(ResultMode, MoreOrFewerTrianglesAreAnotherModel) {
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  h.drag(h.middle("Triangles"), {-60, 0});
+  ASSERT_TRUE(h.document().settings.triangles.has_value());
+  EXPECT_LT(*h.document().settings.triangles, 15000);
+  expect_step("Set triangles");
+}
+
+TEST_F(ResultMode, WhatCantBeSavedIsSaid) {
+  h.platform.no_saving = io_error("the disk is full");
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  h.click("Export hero.glb");
+  EXPECT_TRUE(h.says("the disk is full"));
+  h.wait(10);
+  EXPECT_TRUE(h.says("the disk is full")) << "an error stays";
+  h.click("Dismiss");
+  EXPECT_FALSE(h.says("the disk is full"));
+}
+
+TEST_F(ResultMode, WithoutDialogsThePathIsTyped) {
+  h.platform.dialogs = false;
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  h.click("Format OBJ");
+  h.click("Export hero.obj");
+  h.frames(3);
+  h.key(ImGuiKey_A, ImGuiMod_Ctrl);
+  h.type("/tmp/shape.obj");
+  h.key(ImGuiKey_Enter);
+  EXPECT_TRUE(h.platform.files.contains("/tmp/shape.obj"));
+}
+
+TEST(ResultAlone, ExportSaysWhatItLacks) {
+  Harness h;
+  h.click("Blank paper");
+  EXPECT_FALSE(h.enabled("Export"));
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  EXPECT_TRUE(h.says("Outline a part first."));
+  h.open_example("circles");
+  if (h.find("Don't save")) h.click("Don't save");
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  EXPECT_TRUE(h.says("Reconstruct makes the model to export."));
+}
+
+// ---------------------------------------------------------------- jobs
+
+TEST_F(WithDocument, ProgressTakesThePlaceOfReconstruct) {
+  h.jobs.held = true;
+  h.jobs.shown.stage = "consolidating";
+  h.jobs.shown.fraction = 0.4;
+  h.key(ImGuiKey_R);
+  EXPECT_TRUE(h.state().busy);
+  EXPECT_EQ(h.state().stage, "consolidating");
+  EXPECT_EQ(h.state().progress, 0.4);
+  EXPECT_EQ(h.find("Reconstruct"), nullptr);
+  h.click("Cancel");
+  EXPECT_FALSE(h.state().busy);
+  h.frame();
+  EXPECT_TRUE(h.says("Stopped."));
+  EXPECT_FALSE(h.state().has_model);
+  h.key(ImGuiKey_R);
+  h.key(ImGuiKey_Escape);
+  EXPECT_FALSE(h.state().busy);
+}
+
+TEST_F(WithDocument, AFailedJobOffersAnotherTry) {
+  h.jobs.ends = Result<JobResult>(bad_input("frame 2: the contour of 'hand.L' crosses itself"));
+  h.key(ImGuiKey_R);
+  h.settle();
+  EXPECT_TRUE(h.says("crosses itself"));
+  EXPECT_FALSE(h.state().has_model);
+  h.click("Try again");
+  h.settle();
+  EXPECT_TRUE(h.state().has_model);
+}
+
+TEST_F(WithDocument, SeeItMoveGoesThere) {
+  h.key(ImGuiKey_R);
+  h.settle();
+  h.click("See it move");
+  EXPECT_EQ(h.state().mode, "result");
+  EXPECT_NE(h.find("Pause"), nullptr);
+}
+
+TEST(ResultAlone, ReconstructSaysWhatItLacks) {
+  Harness h;
+  h.start_over();
+  h.key(ImGuiKey_R);
+  EXPECT_TRUE(h.says("Add a drawing first."));
+  h.click("Blank paper");
+  h.key(ImGuiKey_R);
+  EXPECT_TRUE(h.says("Outline a part first."));
+  EXPECT_FALSE(h.state().busy);
+}
+
+}  // namespace
+}  // namespace artisketch
