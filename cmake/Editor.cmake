@@ -119,7 +119,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/shell/sheets.cpp
   src/editor/shell/welcome.cpp
   src/editor/editor.cpp
-  src/editor/ui/answers.cpp
+  src/editor/introspection.cpp
   "${embedded}/kInterRegular.cpp"
   "${embedded}/kInterSemiBold.cpp"
   "${embedded}/kIcons.cpp"

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <thread>
 
-#include "editor/ui/answers.h"
+#include "editor/introspection.h"
 
 namespace artisketch {
 namespace {

@@ -2,7 +2,7 @@
 // finds its way through the real window and moves the real pointer there:
 //
 //   widgets          [{label, x, y, width, height, enabled, active}], in points of the window
-//   state            answers.h
+//   state            editor/introspection.h
 //   project F X Y    [x, y]: where pixel (X, Y) of drawing F stands in the window; null where it
 //                    isn't shown
 //   quit             leaves without a question

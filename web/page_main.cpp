@@ -13,7 +13,7 @@
 #include "app/job_worker.h"
 #include "browser.h"
 #include "editor/gl/window.h"
-#include "editor/ui/answers.h"
+#include "editor/introspection.h"
 
 // clang-format off
 EM_JS(void, host_post, (const char* bytes, std::size_t size), {

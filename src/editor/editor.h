@@ -12,20 +12,12 @@
 #include "document/document.h"
 #include "editor/session/platform.h"
 #include "editor/ui/touch.h"
+#include "editor/ui/widget.h"
 
 namespace artisketch {
 
 class Graphics;
 class Jobs;
-
-// A control of the frame drawn last, in points from the window's top left. Tests click by label;
-// the page mirrors the list for screen readers.
-struct Widget {
-  std::string label;  // "Reconstruct"; unique within a frame
-  float x = 0, y = 0, width = 0, height = 0;
-  bool enabled = true;
-  bool active = false;  // pressed in, ticked or chosen
-};
 
 // What scripts may count on (page: artisketch.state()).
 struct EditorState {
@@ -40,8 +32,8 @@ struct EditorState {
   long revision = 0;        // names the state of the document
   long live_revision = -1;  // that the live parts, as they were drawn last, were made of
   bool can_undo = false;
-  std::string undo;     // what undo would take back: "Bend Forearm L"
-  std::string message;  // the toast shown last
+  std::string undo;                   // what undo would take back: "Bend Forearm L"
+  std::string message;                // the toast shown last
   std::vector<std::string> messages;  // the toasts in view
 };
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "editor/editor.h"
 #include "editor/ui/fonts.h"
 #include "editor/ui/icons.h"
 #include "editor/ui/rect.h"
 #include "editor/ui/theme.h"
+#include "editor/ui/widget.h"
 
 namespace artisketch {
 

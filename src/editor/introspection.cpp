@@ -1,4 +1,4 @@
-#include "editor/ui/answers.h"
+#include "editor/introspection.h"
 
 #include <cmath>
 
