@@ -363,7 +363,7 @@ TEST(FilesAlone, WhatACrashLeftIsOffered) {
   const std::string left = first.platform.kept["autosave"];
   ASSERT_FALSE(left.empty());
   for (const bool keep : {true, false}) {
-    Harness next({}, left);
+    Harness next({}, {{"autosave", left}});
     EXPECT_TRUE(next.says("Work from last time was not saved."));
     next.click(keep ? "Keep" : "Discard");
     EXPECT_EQ(next.document().frames.size(), keep ? 3u : 0u);

@@ -240,9 +240,11 @@ void check(const ImDrawData& data, const std::set<unsigned>& textures) {
 
 }  // namespace
 
-Harness::Harness(std::vector<std::string> examples, std::string autosave, Size size) : size(size) {
+Harness::Harness(std::vector<std::string> examples, std::map<std::string, std::string> kept,
+                 Size size)
+    : size(size) {
   platform.example_names = std::move(examples);
-  if (!autosave.empty()) platform.kept["autosave"] = std::move(autosave);
+  platform.kept = std::move(kept);
   context_ = ImGui::CreateContext(&shared_fonts());
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -423,6 +425,22 @@ Vec2 Harness::on_screen(double x, double y) const {
   if (place) return *place;
   ADD_FAILURE() << "no drawing is in view";
   return Vec2::Zero();
+}
+
+std::optional<double> Harness::opacity(const std::string& panel) const {
+  std::optional<double> most;
+  for (const ImDrawList* list : ImGui::GetDrawData()->CmdLists)
+    for (const ImDrawCmd& command : list->CmdBuffer) {
+      const auto texture = unsigned(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
+      if (command.UserCallback || panel != list->_OwnerName || !graphics.textures.contains(texture))
+        continue;
+      for (unsigned i = 0; i < command.ElemCount; ++i) {
+        const auto vertex = command.VtxOffset + list->IdxBuffer[int(command.IdxOffset + i)];
+        const double alpha = double(list->VtxBuffer[int(vertex)].col >> IM_COL32_A_SHIFT & 255);
+        most = std::max(most.value_or(0), alpha / 255);
+      }
+    }
+  return most;
 }
 
 std::vector<std::string> Harness::labels() const {

@@ -112,9 +112,9 @@ class Harness {
   struct Size {
     float width = 0, height = 0;  // points
   };
-  // The first of the examples greets; `autosave` is what a crash left.
-  explicit Harness(std::vector<std::string> examples = {}, std::string autosave = "",
-                   Size size = {1440, 900});
+  // The first of the examples greets; `kept` is what was stored before.
+  explicit Harness(std::vector<std::string> examples = {},
+                   std::map<std::string, std::string> kept = {}, Size size = {1440, 900});
   ~Harness();
   Harness(const Harness&) = delete;
   Harness& operator=(const Harness&) = delete;
@@ -169,6 +169,8 @@ class Harness {
   bool active(const std::string& label) const { return widget(label).active; }
   Vec2 on_screen(double x, double y) const;  // a pixel of the drawing in view
   std::vector<std::string> labels() const;
+  // Of the pictures in a panel of that name; nothing where it shows none.
+  std::optional<double> opacity(const std::string& panel) const;
 
  private:
   std::unique_ptr<Editor> editor_;
