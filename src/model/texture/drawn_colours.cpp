@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kStep = 4;          // pixels of depth between neighbours that make an edge
 constexpr float kInkDarker = 0.08f;  // than what is beside it
+constexpr int kBeyondInk = 3;        // pixels that a colour may spread beside its width
 
 constexpr std::array<std::array<int, 2>, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
@@ -61,17 +62,19 @@ struct Overlay {
   }
 };
 
-// The colour of most opaque pixels that the mask doesn't hold, if one prevails.
+// The colour that most of what the mask doesn't hold has, if one prevails: none where the figure is
+// cut out, and what is left outside the outlines is ink.
 std::optional<Pixel> paper_colour(const Picture& picture, const Mask& outlined) {
   std::vector<int> count(16 * 16 * 16, 0), last(count.size());
   int all = 0;
   for (std::size_t p = 0; p < outlined.in.size(); ++p) {
     const Pixel pixel = pixel_of(picture, p);
-    if (outlined.in[p] || !opaque(pixel)) continue;
+    if (outlined.in[p]) continue;
+    ++all;
+    if (!opaque(pixel)) continue;
     const int bin = (pixel[0] / 16 * 16 + pixel[1] / 16) * 16 + pixel[2] / 16;
     ++count[bin];
     last[bin] = int(p);
-    ++all;
   }
   const auto most = std::max_element(count.begin(), count.end());
   if (2 * *most <= all) return std::nullopt;
@@ -185,9 +188,11 @@ float ink_width(const Overlay& o, const std::vector<float>& distance) {
   return float(b) + 1.5f;
 }
 
-// Spreads colours to the pixels of the model that have none, without crossing an outline.
-void spread(const Overlay& o, std::vector<Pixel>& colour, std::vector<std::uint8_t>& state) {
-  std::vector<std::array<int, 2>> queue;  // coloured, beside what isn't yet
+// Spreads colours to the pixels of the model that have none, without crossing an outline, so many
+// steps far: what lies farther off isn't shown, and is no business of the nearest colour's.
+void spread(const Overlay& o, int steps, std::vector<Pixel>& colour,
+            std::vector<std::uint8_t>& state) {
+  std::vector<std::array<int, 2>> front, next;  // coloured, beside what isn't yet
   for (int y = o.y.begin; y < o.y.end; ++y)
     for (int x = o.x.begin; x < o.x.end; ++x)
       if (state[o.index(x, y)] == Sketch::drawn &&
@@ -195,18 +200,21 @@ void spread(const Overlay& o, std::vector<Pixel>& colour, std::vector<std::uint8
             return o.inside(x + to[0], y + to[1]) &&
                    state[o.index(x + to[0], y + to[1])] == Sketch::nothing;
           }))
-        queue.push_back({x, y});
-  for (std::size_t head = 0; head < queue.size(); ++head) {
-    const int x = queue[head][0], y = queue[head][1];
-    const std::size_t p = o.index(x, y);
-    for (const auto& [dx, dy] : kBeside) {
-      if (!o.inside(x + dx, y + dy)) continue;
-      const std::size_t q = o.index(x + dx, y + dy);
-      if (state[q] != Sketch::nothing || !o.runs_on(p, q)) continue;
-      colour[q] = colour[p];
-      state[q] = Sketch::pulled;
-      queue.push_back({x + dx, y + dy});
+        front.push_back({x, y});
+  for (int step = 0; step < steps && !front.empty(); ++step) {
+    next.clear();
+    for (const auto& [x, y] : front) {
+      const std::size_t p = o.index(x, y);
+      for (const auto& [dx, dy] : kBeside) {
+        if (!o.inside(x + dx, y + dy)) continue;
+        const std::size_t q = o.index(x + dx, y + dy);
+        if (state[q] != Sketch::nothing || !o.runs_on(p, q)) continue;
+        colour[q] = colour[p];
+        state[q] = Sketch::pulled;
+        next.push_back({x + dx, y + dy});
+      }
     }
+    std::swap(front, next);
   }
 }
 
@@ -263,7 +271,9 @@ void fill_colours(const Frame& frame, const Picture& picture, const Triangles& F
       sketch.colour[p] = pixel_of(o.picture, p);
       sketch.state[p] = Sketch::drawn;
     }
-  spread(o, sketch.colour, sketch.state);
+  // Over the ink, on the slant, and what the model and the drawing differ by.
+  const int reach = int(1.5f * ink) + kBeyondInk;
+  spread(o, reach, sketch.colour, sketch.state);
   sketch.plain = sketch.colour;
   std::vector<std::uint8_t> state = sketch.state;
   const int r = int(ink);
@@ -281,7 +291,7 @@ void fill_colours(const Frame& frame, const Picture& picture, const Triangles& F
   each(darker, [&](std::size_t p, float by) {
     if (state[p] == Sketch::pulled || by > kInkDarker) state[p] = Sketch::nothing;
   });
-  spread(o, sketch.plain, state);
+  spread(o, reach, sketch.plain, state);
   sketch.depth = o.seen.depth;
 }
 

@@ -52,10 +52,10 @@ class Fades {
 };
 
 // One colour per vertex: what the views that paint round it show there, and diffused from there
-// over those round which nothing is painted: within a part first, then from the parts beside it.
+// over those round which nothing is painted: a part's own colours wherever one is seen, else those
+// of the parts beside it.
 std::vector<Rgb> plain_colours(const Model& model, const Adjacency& beside,
                                const std::vector<int>& chosen, const DrawnSurface& surface) {
-  constexpr float kAcross = 0.02f;  // of a neighbour that belongs to another part
   const Mesh& mesh = model.mesh;
   const Eigen::Index n = mesh.V.rows();
   std::vector<Rgb> colour(n, Rgb::Zero());
@@ -85,13 +85,17 @@ std::vector<Rgb> plain_colours(const Model& model, const Adjacency& beside,
   for (const int v : order) mean += colour[v] / float(known);
   for (int v = 0; v < n; ++v)
     if (!reached[v]) colour[v] = mean;
-  const auto same_part = [&](int u, int v) {
-    return model.weights.joints(u, 0) == model.weights.joints(v, 0);
+  std::vector<std::uint8_t> shown(model.skeleton.joints.size(), 0);
+  for (const int v : order) shown[model.weights.joints(v, 0)] = 1;
+  const auto passes = [&](int from, int to) {
+    const int part = model.weights.joints(to, 0);
+    return part == model.weights.joints(from, 0) || !shown[part];
   };
+  // What the last colours couldn't reach, a part in pieces, takes what comes.
   for (const bool across : {false, true})
     for (std::size_t head = 0; head < order.size(); ++head)
       for (const int u : beside.of(order[head])) {
-        if (reached[u] || !(across || same_part(u, order[head]))) continue;
+        if (reached[u] || !(across || passes(order[head], u))) continue;
         reached[u] = 1;
         colour[u] = colour[order[head]];
         order.push_back(u);
@@ -101,11 +105,11 @@ std::vector<Rgb> plain_colours(const Model& model, const Adjacency& beside,
       Rgb sum = Rgb::Zero();
       float all = 0;
       for (const int u : beside.of(order[i])) {
-        const float share = same_part(u, order[i]) ? 1 : kAcross;
-        sum += share * colour[u];
-        all += share;
+        if (!passes(u, order[i])) continue;
+        sum += colour[u];
+        all += 1;
       }
-      colour[order[i]] = sum / all;
+      if (all > 0) colour[order[i]] = sum / all;
     }
   return colour;
 }

@@ -154,6 +154,65 @@ TEST(Texture, PaperBesideTheOutlinesIsNoColour) {
   }
 }
 
+Polyline circle(double radius) {
+  Polyline outline;
+  for (int i = 0; i < 64; ++i) {
+    const double angle = i * 2 * kPi / 64;
+    outline.points.push_back(Vec2::Constant(kSize / 2.0) +
+                             radius * kScale * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return outline;
+}
+
+// What a cut-out figure leaves outside its outlines is ink alone: that is no paper, and a leg in a
+// stocking as dark as ink keeps it.
+TEST(Texture, DarkPlacesOfACutOutFigureStay) {
+  constexpr double kThin = 0.16, kLine = 2;  // pixels of ink
+  constexpr Colour kDark{24, 20, 20};
+  Model leg = ball();
+  leg.mesh.V.col(0) *= kThin;
+  Document document = document_of(leg.skeleton, {0});
+  Polyline outline = circle(1);
+  for (Vec2& p : outline.points) p.x() = kSize / 2.0 + kThin * (p.x() - kSize / 2.0);
+  document.frames[0].contours = {{0, outline, ""}};
+  Picture drawing{kSize, kSize, std::vector<unsigned char>(4 * kSize * kSize, 0)};
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const Vec2 p = Vec2(x + 0.5, y + 0.5) - Vec2::Constant(kSize / 2.0);
+      const auto within = [&](double more) {
+        return p.cwiseQuotient(Vec2(kThin * kScale + more, kScale + more)).norm() < 1;
+      };
+      const Colour c = !within(0) ? kInk : p.y() > 0 ? kDark : kRed;
+      unsigned char* to = &drawing.rgba[4 * (y * kSize + x)];
+      to[0] = c.r, to[1] = c.g, to[2] = c.b, to[3] = within(kLine) ? 255 : 0;
+    }
+  const Model model = painted(document, {drawing}, leg);
+  int dark = 0;
+  for (int v = 0; v < model.mesh.V.rows(); ++v)
+    if (model.mesh.V(v, 1) < -0.3) {
+      EXPECT_LT(texel(model, v).r, (kDark.r + kRed.r) / 2) << model.mesh.V.row(v);
+      ++dark;
+    }
+  EXPECT_GT(dark, 100);
+}
+
+// A drawing in which most of a part has no outline doesn't paint it with the colour of the rest.
+TEST(Texture, ColoursDontRunOverWhatADrawingDoesNotShow) {
+  const Model plain = ball();
+  Document document = document_of(plain.skeleton, {0, 180});
+  document.frames[0].contours = {{0, circle(0.3), ""}};
+  document.frames[1].contours = {{0, circle(1), ""}};
+  const Model model = painted(document, {disc(kRed, 0.3 * kScale), disc(kBlue)}, plain);
+  int middle = 0, rim = 0;
+  for (int v = 0; v < model.mesh.V.rows(); ++v) {
+    const double z = model.mesh.V(v, 2);
+    if (z > 0.98) middle += is(texel(model, v), kRed, 6) ? 1 : -1000;
+    if (z > 0.05 && z < 0.3) rim += texel(model, v).b > texel(model, v).r ? 1 : -1000;
+  }
+  EXPECT_GT(middle, 5);
+  EXPECT_GT(rim, 100);
+}
+
 TEST(Texture, EachSideComesFromTheDrawingThatShowsIt) {
   const Model plain = ball();
   // Turned by −90° the model's +x side faces the camera.
