@@ -315,8 +315,14 @@ int run_cli(const std::vector<std::string>& arguments) {
       ->required();
   make.add_option("--grid", a.grid, "cells along a part's longest side (default 100)")
       ->check(CLI::Range(16, 400));
-  make.add_option("--triangles", a.triangles, "of the model, about (default 15000)")
-      ->check(CLI::Range(100, 10000000));
+  make.add_option("--triangles", a.triangles,
+                  "of the model (default 15000), or auto: as few as half a pixel allows")
+      ->transform(CLI::Validator(
+          [](std::string& text) {
+            if (text == "auto") return text = "0", std::string();
+            return CLI::Range(100, 10000000)(text);
+          },
+          "auto or INT in [100 - 10000000]", "triangles"));
   make.add_flag("--no-calibrate", a.no_calibrate, "trust the document's poses");
   make.add_option("--motion", a.motion, "a recorded motion to add as a clip (.bvh)");
   make.add_flag("--no-texture", a.no_texture, "leave the model plain");

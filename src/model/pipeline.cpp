@@ -1,5 +1,9 @@
 // The whole of it, as the paper's section 1.3 tells it: calibrate the poses, reconstruct every
 // part, make them one skin, bind that to the skeleton.
+#include <cmath>
+#include <limits>
+#include <string>
+
 #include "base/blocking.h"
 #include "model/rig/snap_rims.h"
 #include "model/stage_clock.h"
@@ -11,6 +15,15 @@ namespace {
 
 void append(std::vector<std::string>& to, const std::vector<std::string>& from) {
   to.insert(to.end(), from.begin(), from.end());
+}
+
+void name_missed_triangles(int made, int wanted, std::vector<std::string>& warnings) {
+  constexpr double kNear = 0.02;
+  if (std::abs(made - wanted) <= kNear * wanted) return;
+  warnings.push_back("the model has " + std::to_string(made) + " triangles, not " +
+                     std::to_string(wanted) +
+                     (made > wanted ? ": with fewer its surface would fold"
+                                    : ": its surface has no more to show"));
 }
 
 }  // namespace
@@ -52,7 +65,11 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   Result<Mesh> mesh = consolidate(out.calibrated, out.parts,
                                   {!options.visual_hull, options.triangles}, out.warnings, run);
   if (!mesh) return mesh.error();
-  *mesh = simplified(*mesh, options.triangles, pixel_size(out.calibrated) / 2);
+  const bool as_few_as_show = options.triangles == 0;
+  *mesh = simplified(
+      *mesh, options.triangles,
+      as_few_as_show ? pixel_size(out.calibrated) / 2 : std::numeric_limits<double>::infinity());
+  if (!as_few_as_show) name_missed_triangles(int(mesh->F.rows()), options.triangles, out.warnings);
   stages.finish({{"vertices", double(mesh->V.rows())}, {"triangles", double(mesh->F.rows())}});
 
   stages.start("weights", 0.9, 0.95);

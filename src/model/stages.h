@@ -169,7 +169,7 @@ Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options
 
 struct ConsolidateOptions {
   bool blend = true;  // joint spheres, and fairing inside them; off: the plain union
-  int triangles = 0;  // wanted number of triangles; 0: as the grid gives
+  int triangles = 0;  // that the surface shall have at least; 0: as the grid gives
 };
 
 struct JointSphere {
@@ -188,8 +188,8 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
                          const ConsolidateOptions& options, std::vector<std::string>& warnings,
                          Run& run);
 
-// The same closed surface with about `triangles` triangles, denser where it bends, nowhere farther
-// off than about `error` units; more triangles where that would not do. Same genus and components.
+// The same closed surface with `triangles` triangles, denser where it bends: more where fewer would
+// fold it or move it by more than about `error` units. Same genus and components.
 Mesh simplified(const Mesh& mesh, int triangles, double error);
 
 // At most four influences a vertex, largest first; unused ones are joint 0 with weight 0.
@@ -251,7 +251,7 @@ struct PipelineOptions {
   int grid = 100;
   bool calibrate = true;
   bool visual_hull = false;       // plain hulls of the parts, united without blending
-  int triangles = 15000;          // of the model, about
+  int triangles = 15000;          // of the model; 0: as few as half a pixel allows
   bool mirror = true;             // joints see their mirror images' contours, where these agree
   std::vector<Picture> drawings;  // one per frame, to colour the model with; none: plain
 };

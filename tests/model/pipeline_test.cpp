@@ -88,6 +88,30 @@ TEST(Pipeline, IsDeterministic) {
   EXPECT_EQ(one->model.mesh.F, two->model.mesh.F);
 }
 
+TEST(Pipeline, HasTheTrianglesAskedForOrSaysWhyNot) {
+  PipelineOptions options;
+  options.grid = 32;
+  for (const int wanted : {500, 4000, 120000, 4}) {
+    options.triangles = wanted;
+    artisketch::Run run;
+    const auto result = reconstruct(example("heart"), options, run);
+    ASSERT_TRUE(result);
+    const double made = double(result->model.mesh.F.rows());
+    const bool met = std::abs(made - wanted) <= 0.02 * wanted;
+    EXPECT_EQ(met, wanted != 4) << made;
+    const auto says = [](const std::string& w) { return w.find(" triangles") != w.npos; };
+    EXPECT_EQ(std::count_if(result->warnings.begin(), result->warnings.end(), says), met ? 0 : 1);
+  }
+  // As few as half a pixel allows: more for a finer drawing, and no number to miss.
+  options.triangles = 0;
+  artisketch::Run run;
+  const auto result = reconstruct(example("heart"), options, run);
+  ASSERT_TRUE(result);
+  EXPECT_GT(result->model.mesh.F.rows(), 200);
+  EXPECT_LT(result->model.mesh.F.rows(), 6000);
+  for (const FrameFit& fit : result->fits) EXPECT_GE(fit.iou, 0.96);
+}
+
 TEST(Pipeline, StopsWhenAsked) {
   const std::atomic<bool> stop = true;
   artisketch::Run run;

@@ -29,7 +29,7 @@ constexpr double kMostAlongSide = 1e4;
 constexpr double kLatticeGap = 2, kFinalGap = 0.5;
 
 // The lattice's step: fine enough for the thinnest part, and for a surface that looks smooth.
-double cell_size(const PartTree& tree, std::span<const PartSurface> parts) {
+double cell_size(const PartTree& tree, std::span<const PartSurface> parts, int triangles) {
   double area = 0, stored = 0, thinnest = BlockGrid::kOutside;
   Box3 all;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -41,9 +41,12 @@ double cell_size(const PartTree& tree, std::span<const PartSurface> parts) {
   }
   // A lattice surface has about 1.5 vertices per cell² of area.
   const auto cell_for = [&](double vertices) { return std::sqrt(1.5 * area / vertices); };
-  const double wanted =
-      std::max(std::min(cell_for(kWantedVertices), thinnest / kCellsAcrossThinnest),
-               cell_for(kMostVertices));
+  // Two triangles a vertex; parts hide some of their area in each other.
+  constexpr double kHidden = 1.7;
+  const double asked = kHidden * triangles / 2;
+  const double wanted = std::max(
+      std::min(cell_for(std::max(kWantedVertices, asked)), thinnest / kCellsAcrossThinnest),
+      cell_for(std::max(kMostVertices, asked)));
   // Small parts far apart, thin ones across the grain: memory has its limits.
   const Vec3 sides = all.sizes();
   return std::max({wanted, std::cbrt(stored / kMostStored), std::cbrt(sides.prod() / kMostSamples),
@@ -262,7 +265,7 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
     return bad_input("no part has a body: draw a closed contour for at least one joint");
   std::vector<JointSphere> spheres;
   if (options.blend) spheres = joint_spheres(document, parts, tree);
-  const double cell = cell_size(tree, parts);
+  const double cell = cell_size(tree, parts, options.triangles);
   Body body(parts, tree, spheres, kLatticeGap * cell);
   Body::Sampled sampled;
   Surface surface;

@@ -167,7 +167,7 @@ Polyline circle(double radius) {
 // What a cut-out figure leaves outside its outlines is ink alone: that is no paper, and a leg in a
 // stocking as dark as ink keeps it.
 TEST(Texture, DarkPlacesOfACutOutFigureStay) {
-  constexpr double kThin = 0.16, kLine = 2;  // pixels of ink
+  constexpr double kThin = 0.1, kLine = 2;  // pixels of ink
   constexpr Colour kDark{24, 20, 20};
   Model leg = ball();
   leg.mesh.V.col(0) *= kThin;
