@@ -27,10 +27,9 @@ def panels_are_as_wide_as_they_are_dragged():
     window.drag([[x, y], [600, y], [10, y]])
     assert place(window, "Model edge")[0] > 240
     x, y = middle(window, "Model edge")
-    window.x("mousemove", round(x), round(y))
-    window.x("click", "--repeat", 2, "--delay", 60, 1)
-    window.wait(lambda: abs(place(window, "Inspector edge")[0] - place(window, "Model edge")[0] - 396) < 2,
-                why="the usual width")
+    window.double_click(
+        x, y, lambda: abs(place(window, "Inspector edge")[0] - place(window, "Model edge")[0] - 396) < 2,
+        "the usual width")
     window.close()
 
 

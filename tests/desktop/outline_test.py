@@ -78,9 +78,7 @@ def moves_adds_and_redraws_points():
     assert len(hand_of(save_as(window, "bent.artisketch"))) == len(before) + 1
     window.key("ctrl+z")
     window.wait(lambda: not window.state()["undo"], why="the first state")
-    window.x("mousemove", *map(round, edge))
-    window.x("click", "--repeat", 2, "--delay", 60, 1)
-    undo_is(window, "Add point")
+    window.double_click(*edge, lambda: window.state()["undo"] == "Add point", "the added point")
     assert len(hand_of(save_as(window, "added.artisketch"))) == len(before) + 1
     window.key("ctrl+z")
 

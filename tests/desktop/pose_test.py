@@ -114,7 +114,7 @@ def calibrates_on_a_tablet():
             assert not (over["x"] < x < over["x"] + over["width"]
                         and over["y"] < y < over["y"] + over["height"]), f"{name} is covered"
     window.click("Calibrate")
-    window.wait(lambda: any(w["label"] == "Keep calibrated" for w in window.widgets()), 30,
+    window.wait(lambda: any(w["label"] == "Keep calibrated" for w in window.widgets()),
                 "the proposal")
     time.sleep(1)
     window.picture("tablet-calibrated")
@@ -150,8 +150,8 @@ def compares_a_model_at_the_poses_it_was_made_at():
                 why="a part that is off in the pose as drawn")
     mine = joint(window, "Hand R")
     window.click("Reconstruct")
-    window.wait(lambda: window.state()["hasModel"] and not window.state()["busy"], 60, "the model")
-    window.wait(lambda: window.state()["liveRevision"] == window.state()["revision"], 20, "parts")
+    window.wait(lambda: window.state()["hasModel"] and not window.state()["busy"], "the model")
+    window.wait(lambda: window.state()["liveRevision"] == window.state()["revision"], "parts")
 
     def distances():
         return [int(w["label"].split()[-2]) for w in window.widgets()
@@ -172,7 +172,7 @@ def compares_a_model_at_the_poses_it_was_made_at():
 def in_result(name="heart"):
     window = Window("1440x900", examples / f"{name}/{name}.artisketch")
     window.click("Reconstruct")
-    window.wait(lambda: window.state()["hasModel"], 60, "the model")
+    window.wait(lambda: window.state()["hasModel"], "the model")
     window.key("4")
     window.wait(lambda: window.state()["mode"] == "result", why="the mode")
     return window
@@ -196,7 +196,7 @@ def sets_keys_and_moves_them():
     x, y = middle(window, "Key 2 of clip 1")
     window.drag([[x, y], [x - 20, y], [x - 80, y]])
     window.wait(lambda: window.state()["undo"] == "Move key of clip 1", why="the moved key")
-    window.wait(lambda: middle(window, "Key 2 of clip 1")[0] < x - 20, 3, "its new time")
+    window.wait(lambda: middle(window, "Key 2 of clip 1")[0] < x - 20, "its new time")
     window.key("Delete")
     window.wait(lambda: window.state()["undo"] == "Delete key of clip 1", why="the deleted key")
     assert not any(w["label"] == "Key 2 of clip 1" for w in window.widgets())
@@ -224,7 +224,7 @@ def shapes_joints_and_fatness():
     x, y = middle(window, "Sphere rim Forearm L")
     window.drag([[x, y], [x + 4, y], [x + 14, y]])
     window.wait(lambda: window.state()["undo"] == "Joint of Forearm L", why="the sphere")
-    window.wait(lambda: middle(window, "Sphere rim Forearm L")[0] > x + 5, 3, "the larger sphere")
+    window.wait(lambda: middle(window, "Sphere rim Forearm L")[0] > x + 5, "the larger sphere")
     window.key("w")
     window.wait(lambda: any(w["label"] == "Fatness of Head" for w in window.widgets()),
                 why="the parts")
@@ -238,11 +238,11 @@ def shapes_joints_and_fatness():
 
 def shows_the_joints_of_an_example():
     window = Window("1440x900")
-    window.wait(lambda: window.state()["hasModel"], 10, "the example's model")
+    window.wait(lambda: window.state()["hasModel"], "the example's model")
     window.click("Result mode")
     window.wait(lambda: window.state()["mode"] == "result", why="the mode")
     window.key("j")
-    window.wait(lambda: any(w["label"] == "Sphere Head" for w in window.widgets()), 30, "spheres")
+    window.wait(lambda: any(w["label"] == "Sphere Head" for w in window.widgets()), "spheres")
     assert not window.state()["busy"] and not window.state()["canUndo"]
     window.picture("example-joints")
     window.close()
@@ -252,7 +252,7 @@ def calibrates_compares_and_keeps():
     window = in_pose()
     before = joint(window, "Hand R")
     window.key("shift+c")
-    window.wait(lambda: any(w["label"] == "Keep calibrated" for w in window.widgets()), 30,
+    window.wait(lambda: any(w["label"] == "Keep calibrated" for w in window.widgets()),
                 "the proposal")
     window.wait(lambda: not near(joint(window, "Hand R"), before, 1), why="the calibrated pose")
     window.wait(lambda: "Measuring" not in str(window.widgets()) and not window.state()["busy"])
@@ -272,4 +272,4 @@ def calibrates_compares_and_keeps():
 run(drags_a_limb, turns_twists_flips_and_locks, changes_depth_from_the_side_and_copies,
     suggests_and_asks_which_way, calibrates_compares_and_keeps, calibrates_on_a_tablet,
     shows_the_parts_and_where_they_miss, compares_a_model_at_the_poses_it_was_made_at,
-    sets_keys_and_moves_them, shapes_joints_and_fatness, shows_the_joints_of_an_example, seconds=460)
+    sets_keys_and_moves_them, shapes_joints_and_fatness, shows_the_joints_of_an_example)

@@ -5,7 +5,7 @@ namespace artisketch::figures {
 namespace {
 
 constexpr unsigned kFur = 0xe67e33, kPale = 0xfff2dc, kDark = 0x3b2a2a, kSock = 0x4a3632,
-                   kCheek = 0xf2a36b, kWhite = 0xfffdf6;
+                   kWhite = 0xfffdf6;
 
 Solid head(const Vec3& neck) {
   const Vec3 skull = neck + Vec3(0, 0.13, 0.1);
