@@ -9,6 +9,9 @@ import { fileURLToPath } from 'node:url';
 export const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
 const { chromium } = createRequire(join(root, 'build', 'node', 'package.json'))('playwright-core');
 
+// Milliseconds after which what was waited for counts as never coming. Not a measure: machines differ.
+export const patience = 300e3;
+
 const flags = [
   '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', '--no-first-run',
@@ -80,26 +83,41 @@ export class Editor {
     return this.page.evaluate(() => artisketch.widgets());
   }
 
-  // The state, once `wanted(state)` holds.
-  async until(wanted, seconds = 30) {
-    const end = Date.now() + 1000 * seconds;
+  // What `find()` resolves to, once that is something.
+  async once(find) {
+    const end = Date.now() + patience;
     for (;;) {
-      const state = await this.state();
-      if (wanted(state)) return state;
-      if (Date.now() > end) throw new Error(`not within ${seconds} s: ${wanted}\n${JSON.stringify(state)}`);
+      const found = await find();
+      if (found) return found;
+      if (Date.now() > end) throw new Error(`waited in vain for ${find}\n${JSON.stringify(await this.state())}`);
       await this.page.waitForTimeout(20);
     }
   }
 
+  // The state, once `wanted(state)` holds.
+  until(wanted) {
+    return this.once(async () => {
+      const state = await this.state();
+      return wanted(state) ? state : null;
+    }).catch((error) => { throw new Error(`${error.message}\n${wanted}`); });
+  }
+
+  // Once a frame has been drawn with all that the pointer and the keys did.
+  frame() {
+    return this.page.evaluate(() => new Promise((done) => {
+      requestAnimationFrame(() => requestAnimationFrame(() => done()));
+    }));
+  }
+
   // The control of that name (or a name like that), once it is there and can be pressed.
-  async widget(label, seconds = 10) {
-    const end = Date.now() + 1000 * seconds;
+  async widget(label) {
+    const end = Date.now() + patience;
     for (;;) {
       const widgets = await this.widgets();
       const found = widgets.find((one) => one.enabled && (label.test ? label.test(one.label) : one.label === label));
       if (found) return found;
       if (Date.now() > end) {
-        throw new Error(`no control '${label}' within ${seconds} s among: ` +
+        throw new Error(`no control '${label}' among: ` +
           widgets.map((one) => one.label + (one.enabled ? '' : ' (disabled)')).join(', '));
       }
       await this.page.waitForTimeout(20);
@@ -132,12 +150,24 @@ export class Editor {
     await mouse.down();
     for (const {x, y} of path) {
       await mouse.move(x, y);
-      await this.page.waitForTimeout(30); // as a hand would: each frame sees the pointer once
+      await this.frame(); // as a hand would: each frame sees the pointer once
     }
     await mouse.up();
   }
 
   frames() {
     return this.page.evaluate(() => window.drawnFrames);
+  }
+
+  // Once nothing has been drawn for that many seconds: hover has faded, live parts and toasts have come to
+  // rest, the autosave is written.
+  async rest(seconds = 3) {
+    const end = Date.now() + patience;
+    for (let drawn = -1, since = 0; Date.now() - since < 1000 * seconds;) {
+      const now = await this.frames();
+      if (now !== drawn) [drawn, since] = [now, Date.now()];
+      if (Date.now() > end) throw new Error('waited in vain for nothing to be drawn');
+      await this.page.waitForTimeout(50);
+    }
   }
 }

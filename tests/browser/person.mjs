@@ -65,7 +65,7 @@ export class Person {
   async drag(frame, pixels) {
     this.actions++;
     await this.editor.drag(frame, pixels);
-    await this.editor.page.waitForTimeout(60);
+    await this.editor.frame();
   }
 
   key(key) {
@@ -94,7 +94,7 @@ export class Person {
     for (let now = (await this.editor.state()).frame; now < frame; now++) await this.key('.');
     for (let now = (await this.editor.state()).frame; now > frame; now--) await this.key(',');
     await this.editor.until((state) => state.frame === frame);
-    await this.editor.page.waitForTimeout(100);
+    await this.editor.frame();
   }
 
   // The outline that waits, kept for that part: Tab goes through the likely ones.
@@ -107,7 +107,7 @@ export class Person {
       if (chosen === `Assign ${words}`) return this.key('Enter');
       if (!cards.some(({label}) => label === `Assign ${words}`)) break;
       await this.key('Tab');
-      await this.editor.page.waitForTimeout(60);
+      await this.editor.frame();
     }
     await this.giveTo(part);
     return this.key('Enter');

@@ -53,7 +53,7 @@ async function poseAs(person, truth, frame, names, order) {
     if (pixels < 12 || pixels < 0.4 * Math.hypot(x, y) || forward * is > 0 || Math.abs(is) * person.scale < 8) continue;
     if (!moved) await person.clickAt(frame, now.get(name));
     await person.key('f');
-    await person.editor.page.waitForTimeout(60);
+    await person.editor.frame();
   }
 }
 
@@ -117,12 +117,12 @@ async function fromBlankPage(t, name, template, {names, order, prepare, turn, lo
   }
 
   await person.key('Shift+C');
-  await editor.widget('Keep calibrated', 60);
+  await editor.widget('Keep calibrated');
   await picture('calibrated');
   await person.click('Keep calibrated');
   await person.click('Reconstruct');
   await editor.until((state) => state.busy);
-  await editor.until((state) => !state.busy && state.hasModel, 90);
+  await editor.until((state) => !state.busy && state.hasModel);
   await person.key('4');
   await editor.page.waitForTimeout(500);
   await picture('result');
@@ -151,7 +151,7 @@ async function overBall(person, by) {
   await page.mouse.down();
   for (let i = 1; i <= 12; i++) {
     await page.mouse.move(middle[0] + by * i / 12, middle[1]);
-    await page.waitForTimeout(30);
+    await person.editor.frame();
   }
   await page.mouse.up();
 }
