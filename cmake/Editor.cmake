@@ -12,16 +12,25 @@ find_program(ARTISKETCH_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH
              DOC "Python with fontTools")
 find_program(ARTISKETCH_PYTHON NAMES python3)
 
+if(NOT ARTISKETCH_EDITOR)
+  return()
+endif()
+# Without a need of its there is no editor; where it was asked for, that is an error.
+if(ARTISKETCH_EDITOR STREQUAL "AUTO")
+  set(without STATUS)
+else()
+  set(without FATAL_ERROR)
+endif()
 find_package(SDL2 QUIET)
 foreach(need IN ITEMS "${ARTISKETCH_IMGUI_SOURCE}/imgui.cpp" "${ARTISKETCH_INTER_DIR}/Inter-Regular.otf"
         "${ARTISKETCH_ICONS_DIR}/materialdesignicons-webfont.ttf")
   if(NOT EXISTS "${need}")
-    message(STATUS "No editor: ${need} was not found")
+    message(${without} "No editor: ${need} was not found")
     return()
   endif()
 endforeach()
 if(NOT SDL2_FOUND)
-  message(STATUS "No editor: SDL2 was not found")
+  message(${without} "No editor: SDL2 was not found")
   return()
 endif()
 

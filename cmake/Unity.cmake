@@ -1,0 +1,48 @@
+# The sources of a folder, compiled as one: half the work where they are many, since what templates make is
+# made once. Only builds that look for mistakes are made so: elsewhere each source is compiled with what it
+# includes alone, and an include that one forgot is found.
+#
+# These call two things alike in namespaces without a name, and are compiled by themselves. Where a name
+# is said to be defined twice, give one a better name, or add its source.
+set(alone
+  src/base/dual_surface.cpp
+  src/document/mend.cpp
+  src/document/skeleton_edit.cpp
+  src/model/calibrate/calibrate_rays.cpp
+  src/model/calibrate/pose_solver.cpp
+  src/model/calibrate/ray_search.cpp
+  src/model/surface/thin_parts.cpp
+  src/model/fit/fit_marks.cpp
+  src/files/bvh_file.cpp
+  src/files/document_file.cpp
+  src/files/json.cpp
+  src/files/tiny_gltf_impl.cpp
+  tests/base/raster_test.cpp
+  tests/document/animate_test.cpp
+  tests/document/covered_test.cpp
+  tests/document/posing_test.cpp
+  tests/model/fit/fit_marks_test.cpp
+  tests/model/surface/surface_rays_test.cpp
+  tests/figures/polygonise.cpp
+)
+list(TRANSFORM alone PREPEND "${PROJECT_SOURCE_DIR}/")
+
+foreach(target IN ITEMS artisketch_core artisketch_editor artisketch_figures artisketch_tests
+        artisketch_editor_tests artisketch_thread_tests)
+  if(NOT TARGET ${target})
+    continue()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_target_property(folder ${target} SOURCE_DIR)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY "${folder}" NORMALIZE OUTPUT_VARIABLE path)
+    if(path IN_LIST alone OR NOT path MATCHES "^${PROJECT_SOURCE_DIR}/(src|tests)/")
+      continue()
+    endif()
+    cmake_path(GET path PARENT_PATH group)
+    string(REPLACE "${PROJECT_SOURCE_DIR}/" "" group "${group}")
+    string(MAKE_C_IDENTIFIER "${group}" group)
+    set_source_files_properties("${source}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+endforeach()
