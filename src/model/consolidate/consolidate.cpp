@@ -116,11 +116,13 @@ Surface surface_of(const BlockGrid& grid) {
   return s;
 }
 
-// Holes that the parts have of their own.
+// Holes that the parts have of their own: each is one closed surface, which has three edges to two
+// triangles.
 int own_genus(std::span<const PartSurface> parts) {
   int genus = 0;
   for (const PartSurface& part : parts)
-    if (part.mesh.F.rows() > 0) genus += std::max(0, topology(part.mesh).genus());
+    if (part.mesh.F.rows() > 0)
+      genus += std::max(0, 1 - int(part.mesh.V.rows() - part.mesh.F.rows() / 2) / 2);
   return genus;
 }
 
