@@ -1,7 +1,29 @@
 // A part's virtual cameras (the paper's section 2.1).
+#include <cmath>
+
 #include "model/stages.h"
 
 namespace artisketch {
+namespace {
+
+// A closed contour of a pixel or two beside a larger one of the same part is a slip of the pen, or
+// a speck in a picture that was traced. Taken for a hole it would pierce the part from front to
+// back.
+std::vector<Polyline> without_specks(std::vector<Polyline> contours) {
+  constexpr double kSpeck = 4;           // pixels²
+  constexpr double kBesideWhole = 0.01;  // of the part's largest contour there
+  const auto area = [](const Polyline& line) {
+    return line.closed ? std::abs(signed_area(line)) : 0;
+  };
+  double largest = 0;
+  for (const Polyline& line : contours) largest = std::max(largest, area(line));
+  std::erase_if(contours, [&](const Polyline& line) {
+    return line.closed && area(line) < std::min(kSpeck, kBesideWhole * largest);
+  });
+  return contours;
+}
+
+}  // namespace
 
 Ray PartView::ray(const Vec2& pixel) const {
   const Ray world = camera.ray(pixel);
@@ -34,7 +56,7 @@ std::vector<Part> parts_of(const Document& document) {
       if (bone.joint == joint) part.bones.push_back(bone);
     for (int f = 0; f < int(document.frames.size()); ++f) {
       PartView view;
-      view.contours = contours_of(document.frames[f], joint);
+      view.contours = without_specks(contours_of(document.frames[f], joint));
       if (view.contours.empty()) continue;
       view.frame = f;
       view.camera = frame_camera(document, f);

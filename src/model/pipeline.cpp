@@ -17,6 +17,21 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& from) 
   to.insert(to.end(), from.begin(), from.end());
 }
 
+// Closed contours that parts_of left out.
+void name_specks(const Document& document, const std::vector<Part>& parts,
+                 std::vector<std::string>& warnings) {
+  for (const Part& part : parts)
+    for (const PartView& view : part.views) {
+      const Frame& frame = document.frames[view.frame];
+      const std::size_t specks = contours_of(frame, part.joint).size() - view.contours.size();
+      if (specks > 0)
+        warnings.push_back("frame " + std::to_string(view.frame + 1) + " '" + frame.name +
+                           "': " + (specks == 1 ? "a speck" : std::to_string(specks) + " specks") +
+                           " of a few pixels beside the outline of '" + part.name +
+                           "' can be neither a hole nor a piece of it, and counts for nothing");
+    }
+}
+
 void name_missed_triangles(int made, int wanted, std::vector<std::string>& warnings) {
   constexpr double kNear = 0.02;
   if (std::abs(made - wanted) <= kNear * wanted) return;
@@ -47,6 +62,7 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
 
   stages.start("surfaces", 0.3, 0.8);
   std::vector<Part> parts = parts_of(out.calibrated);
+  name_specks(out.calibrated, parts, out.warnings);
   if (options.mirror) add_mirrored_views(out.calibrated, parts);
   double cells = 0, part_vertices = 0;
   for (std::size_t p = 0; p < parts.size(); ++p) {

@@ -112,6 +112,30 @@ TEST(Pipeline, HasTheTrianglesAskedForOrSaysWhyNot) {
   for (const FrameFit& fit : result->fits) EXPECT_GE(fit.iou, 0.96);
 }
 
+// A hole of a pixel in one outline would pierce the part, and dent what is smoothed over it.
+TEST(Pipeline, SpecksOfAPixelAreNoHoles) {
+  PipelineOptions options;
+  options.grid = 48;
+  const Document clean = example("circles");
+  Document specked = clean;
+  Contour speck = specked.frames[0].contours[0];
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& p : speck.line.points) middle += p / double(speck.line.points.size());
+  for (const Vec2& at : {Vec2(middle), Vec2(middle.x(), 3)}) {  // in it, and beside it
+    speck.line.points = {at, at + Vec2(1, 0), at + Vec2(1, 1), at + Vec2(0, 1)};
+    specked.frames[0].contours.push_back(speck);
+  }
+  artisketch::Run a, b;
+  const auto one = reconstruct(clean, options, a), two = reconstruct(specked, options, b);
+  ASSERT_TRUE(one && two);
+  EXPECT_EQ(topology(two->model.mesh).genus(), 0);
+  const double volume = signed_volume(one->model.mesh);
+  EXPECT_NEAR(signed_volume(two->model.mesh), volume, 0.002 * volume);
+  const auto says = [](const std::string& w) { return w.find("2 specks") != w.npos; };
+  EXPECT_EQ(std::count_if(two->warnings.begin(), two->warnings.end(), says), 1);
+  EXPECT_EQ(one->warnings.size() + 1, two->warnings.size());
+}
+
 TEST(Pipeline, StopsWhenAsked) {
   const std::atomic<bool> stop = true;
   artisketch::Run run;
