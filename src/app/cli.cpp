@@ -20,6 +20,7 @@
 #include "files/mesh_file.h"
 #include "files/preview.h"
 #include "files/report_file.h"
+#include "model/calibrate/unseen_sides.h"
 #include "model/rig/retarget.h"
 #include "model/stages.h"
 
@@ -129,7 +130,8 @@ std::string seconds_text(double seconds) {
   return text;
 }
 
-// Three lines: what was made, how well it fits, how long each stage took.
+// Four lines: what was made, how well it fits what was drawn, how well it will hold from other
+// sides, how long each stage took.
 void print_summary(const std::string& out, std::size_t bytes, const Document& document,
                    const Reconstruction& result) {
   std::printf("%s: %d drawings, %d parts -> %d triangles on %d joints, %.1f MB\n", out.c_str(),
@@ -139,7 +141,8 @@ void print_summary(const std::string& out, std::size_t bytes, const Document& do
   for (std::size_t f = 0; f < result.fits.size(); ++f)
     std::printf("%s %s %.1f %%", f ? "," : "", document.frames[f].name.c_str(),
                 100 * result.fits[f].iou);
-  std::printf("\ntime:");
+  std::printf("\n%s\n", unseen_sides_words(document, unseen_sides(result.calibrated)).c_str());
+  std::printf("time:");
   double total = 0;
   for (const StageTime& stage : result.stages) {
     std::printf(" %s %s,", stage.stage.c_str(), seconds_text(stage.seconds).c_str());

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "files/json.h"
+#include "model/calibrate/unseen_sides.h"
 
 namespace artisketch {
 namespace {
@@ -49,6 +50,18 @@ Json frames_json(const Document& document, const std::vector<FrameFit>& fits) {
   return all;
 }
 
+Json unseen_sides_json(const Document& document, const Document& calibrated) {
+  const UnseenSides sides = unseen_sides(calibrated);
+  Json out = {{"hold", trust_word(sides.whole)}};
+  Json& parts = out["parts"] = Json::array();
+  for (const PartTrust& part : sides.parts)
+    parts.push_back({{"joint", joint_name(document, part.joint)},
+                     {"hold", trust_word(part.trust)},
+                     {"spread", number(degrees(part.spread))},
+                     {"disagreement", number(part.disagreement)}});
+  return out;
+}
+
 Json calibration_json(const Document& document, const Calibration& result) {
   Json out = Json::object();
   out["energy_before"] = number(result.energy_before);
@@ -82,6 +95,7 @@ std::string report_text(const Document& document, const Reconstruction& result) 
   Json report = head(document);
   report["stages"] = stages_json(result.stages);
   report["frames"] = frames_json(document, result.fits);
+  report["unseen_sides"] = unseen_sides_json(document, result.calibrated);
   report["calibration"] =
       result.calibration ? calibration_json(document, *result.calibration) : Json(nullptr);
   report["model"] = {{"vertices", result.model.mesh.V.rows()},

@@ -3,6 +3,9 @@
 //   stages[]       stage, seconds, sizes {name: count}
 //   frames[]       frame, iou (silhouette against the union of its closed contours),
 //                  parts[] {joint, contour_distance (symmetric mean, pixels)}
+//   unseen_sides   hold (good, doubtful, guess: from sides that no drawing shows),
+//                  parts[] {joint, hold, spread (degrees, 0 … 90, between lines of sight),
+//                  disagreement (of the part's size, of views predicted from the others)}
 //   calibration    energy_before, energy_after (pixels²), iterations,
 //                  largest_rotation {joint, degrees}, largest_translation (units),
 //                  scales[] (of orthographic frames),

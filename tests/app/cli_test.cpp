@@ -133,7 +133,8 @@ TEST_F(CommandLine, ReconstructsReportsPreviewsAndDraws) {
       << err;
   for (const char* file : {"c.glb", "c.json", "c.png", "c.artisketch"})
     EXPECT_TRUE(fs::exists(path(file))) << file;
-  EXPECT_EQ(std::count(out.begin(), out.end(), '\n'), 3) << out;
+  EXPECT_EQ(std::count(out.begin(), out.end(), '\n'), 4) << out;
+  EXPECT_NE(out.find("from sides not drawn: good"), std::string::npos) << out;
   EXPECT_EQ(run({"check", path("c.artisketch")}), 0) << "its drawings are still found: " << err;
   EXPECT_EQ(run({"render", path("c.glb"), "-o", path("r.png"), "--frame", "2", "--size", "64x48"}),
             0)
