@@ -10,7 +10,7 @@ namespace artisketch {
 namespace {
 
 constexpr int kRays = 64;               // tested per outline
-constexpr double kMostSwelling = 0.03;  // of the outline's diagonal
+constexpr double kMostSwelling = 0.06;  // of the outline's diagonal
 constexpr double kMostGiven = 0.1;      // the same, of a mirrored outline
 constexpr double kWidth = 12;           // of a swelling, times its height: a gentle one
 
@@ -124,7 +124,6 @@ void swell(Carving& carving, bool mirrored_yield) {
 }  // namespace
 
 void swell_until_covered(Carving& carving) {
-  if (carving.one_direction()) return;
   swell(carving, false);
 }
 

@@ -8,8 +8,6 @@
 namespace artisketch {
 namespace {
 
-const double kSameDirection = radians(10);
-
 // A point of the part's bone (or its joint), about which a part without a depth of its own lies.
 Vec3 middle_of_bones(const Part& part) {
   if (part.bones.empty()) return part.origin;
@@ -46,34 +44,54 @@ double narrow_half_width(const PartView& view) {
   return (high - low) / 2;
 }
 
-Slab slab_of(const std::vector<Silhouette>& views, const Vec3& middle) {
+// How far the bones' ends lie from a point along a direction: a limb that points at the camera is
+// as deep as it is long.
+double reach_of_bones(const Part& part, const Vec3& centre, const Vec3& direction) {
+  double reach = 0;
+  for (const Bone& bone : part.bones)
+    for (const Vec3& end : {bone.a, bone.b})
+      reach = std::max(reach, std::abs((end - centre).dot(direction)));
+  return reach;
+}
+
+// No part is so deep that it shows only from where no view looks: the bound is generous, for a foot
+// is longer than wide, and grows beyond every part as the views spread to a right angle.
+Slab slab_of(const Part& part, const Carving& carving) {
+  constexpr double kDeeper = 3;  // times the tangent's square
   Slab slab;
-  for (const Silhouette& view : views)
-    if (!same_direction(view.direction, views[0].direction)) return slab;
-  slab.centre = middle;
-  slab.direction = views[0].direction;
+  if (carving.spread > 0.999) return slab;
+  slab.centre = carving.centre;
+  slab.direction = carving.views[0].direction;
   slab.half = 0;
-  for (const Silhouette& view : views)
-    slab.half =
-        std::max(slab.half, narrow_half_width(*view.view) / view.view->pixels_per_unit(middle));
+  for (const Silhouette& view : carving.views)
+    slab.half = std::max(
+        slab.half, narrow_half_width(*view.view) / view.view->pixels_per_unit(carving.centre));
+  slab.half *= part.fatness * (1 + kDeeper * carving.spread / (1 - carving.spread));
+  slab.half += reach_of_bones(part, carving.centre, slab.direction);
   return slab;
+}
+
+// The point nearest to the middles of all outlines, pulled to the part's bones as firmly as `pull`
+// views would.
+Vec3 nearest_to_middles(const Carving& carving, double pull) {
+  Mat3 A = pull * Mat3::Identity();
+  Vec3 b = pull * carving.middle;
+  for (const Silhouette& view : carving.views) {
+    const Ray ray = view.view->ray(view.view->outline.box().center());
+    const Mat3 across = Mat3::Identity() - ray.direction * ray.direction.transpose();
+    A += across;
+    b += across * ray.origin;
+  }
+  return A.ldlt().solve(b);
 }
 
 // A cube about the point nearest to the middles of all outlines.
 Box3 room_of(const Carving& carving) {
-  Mat3 A = 1e-3 * Mat3::Identity();  // pulled slightly to the bone, for views of one direction
-  Vec3 b = 1e-3 * carving.middle;
   double diameter = 0;
-  for (const Silhouette& view : carving.views) {
-    const Box2 box = view.view->outline.box();
-    const Ray ray = view.view->ray(box.center());
-    const Mat3 across = Mat3::Identity() - ray.direction * ray.direction.transpose();
-    A += across;
-    b += across * ray.origin;
-    diameter =
-        std::max(diameter, box.diagonal().norm() / view.view->pixels_per_unit(carving.middle));
-  }
-  const Vec3 centre = A.ldlt().solve(b);
+  for (const Silhouette& view : carving.views)
+    diameter = std::max(diameter, view.view->outline.box().diagonal().norm() /
+                                      view.view->pixels_per_unit(carving.middle));
+  const Vec3 centre = nearest_to_middles(carving, 1e-3);
   return {centre - Vec3::Constant(0.75 * diameter), centre + Vec3::Constant(0.75 * diameter)};
 }
 
@@ -142,15 +160,38 @@ double mean_width(const Carving& carving) {
 
 }  // namespace
 
-bool same_direction(const Vec3& a, const Vec3& b) {
-  return std::abs(a.dot(b)) >= std::cos(kSameDirection);
+double sin2_between(const Vec3& a, const Vec3& b) {
+  return std::min(a.cross(b).squaredNorm(), 1.0);
+}
+
+namespace {
+
+Vec3 direction_of(const PartView& view) {
+  return view.ray(view.outline.box().center()).direction;
+}
+
+double widest(const std::vector<Vec3>& directions) {
+  double most = 0;
+  for (std::size_t v = 0; v < directions.size(); ++v)
+    for (std::size_t w = 0; w < v; ++w)
+      most = std::max(most, sin2_between(directions[v], directions[w]));
+  return most;
+}
+
+}  // namespace
+
+double widest_spread(const Part& part) {
+  std::vector<Vec3> directions;
+  for (const PartView& view : part.views)
+    if (view.seen()) directions.push_back(direction_of(view));
+  return widest(directions);
 }
 
 Silhouette::Silhouette(const PartView& view, int cells) : view(&view) {
   const double longest = std::max(view.outline.box().sizes().maxCoeff(), 1e-6);
   const double step = longest / (2.0 * cells);  // half a cell: what the grid can show, and no more
   raster = DistanceRaster(closed_lines(view), step, 6 * step);
-  direction = view.ray(view.outline.box().center()).direction;
+  direction = direction_of(view);
 }
 
 double Silhouette::distance(const Vec3& p) const {
@@ -243,8 +284,14 @@ void add_views(const Part& part, std::span<const PartView> views, int cells, Car
                                                   view.pixels_per_unit(carving.middle));
   }
   if (carving.views.empty()) return;
-  carving.slab = slab_of(carving.views, carving.middle);
-  carving.slab.half *= part.fatness;
+  std::vector<Vec3> directions;
+  for (const Silhouette& view : carving.views) directions.push_back(view.direction);
+  carving.spread = widest(directions);
+  constexpr double kPull = 0.1;  // a bone lies in its part, though seldom in its middle
+  const Vec3 along = carving.views[0].direction;
+  carving.centre = carving.middle +
+                   along.dot(nearest_to_middles(carving, kPull) - carving.middle) * along;
+  carving.slab = slab_of(part, carving);
   carving.room = room_of(carving);
 }
 
@@ -344,8 +391,8 @@ void widen_until_they_meet(Carving& carving, std::vector<std::string>& warnings)
   for (Silhouette& view : carving.views) view.grown = grown;
   warnings.push_back("'" + carving.name + "': its contours in frames " + frames +
                      " share no volume at these poses; they were widened by " +
-                     std::to_string(int(std::lround(grown))) +
-                     " px to give it a body. Check the poses of '" + carving.name + "' there");
+                     std::to_string(int(std::lround(100 * grown / smallest))) +
+                     " % of the smallest one's size to give it a body. Check the poses of '" + carving.name + "' there");
 }
 
 }  // namespace artisketch

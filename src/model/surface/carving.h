@@ -32,12 +32,17 @@ struct Silhouette {
              std::ptrdiff_t stride_y, std::ptrdiff_t stride_z) const;
 };
 
-// Whether two view directions leave the same depth open: within 10° of each other or of each
-// other's opposite.
-bool same_direction(const Vec3& a, const Vec3& b);
+// sin² of the angle between two view directions: 0 too where they are opposite, for then they leave
+// the same depth open.
+double sin2_between(const Vec3& a, const Vec3& b);
+// … up to which they count as one: that of 10°.
+inline constexpr double kOneDirection = 0.0301536896;
 
-// The depths that views of one direction leave to a part: as deep as its narrow side is wide, about
-// its bone.
+// sin² of the largest angle between the directions from which a part's outlines show it; 0 of one.
+double widest_spread(const Part& part);
+
+// The depths that views leave to a part which are all near one direction: as deep as its narrow
+// side is wide, about its bones, and the deeper the farther the views are apart.
 struct Slab {
   Vec3 centre = Vec3::Zero(), direction = Vec3::UnitZ();
   double half = std::numeric_limits<double>::infinity();  // units; infinite: no limit
@@ -50,7 +55,9 @@ struct Carving {
   std::string name;  // of the part
   std::vector<Silhouette> views;
   Slab slab;
+  double spread = 0;           // sin² of the largest angle between the directions of two views
   Vec3 middle = Vec3::Zero();  // of the part's bones, or its joint
+  Vec3 centre = Vec3::Zero();  // that moved along the first view to where outlines' middles agree
   double radius = 0;           // units: of the largest ball that every outline could hold
   Box3 room;                   // a cube that surely holds the hull
 
@@ -59,7 +66,8 @@ struct Carving {
     for (const Silhouette& view : views) most = std::max(most, view.distance(p));
     return most;
   }
-  bool one_direction() const { return !std::isinf(slab.half); }
+  // Whether the views leave the depth wholly open: none is 10° off another, or off its opposite.
+  bool one_direction() const { return spread <= kOneDirection; }
 };
 
 // The closed outlines of the part's own views. `cells` along the longest side sets the rasters'

@@ -6,24 +6,16 @@
 #include <Eigen/Dense>
 
 namespace artisketch {
-namespace {
 
-// World depth as a function of the pixel: z = at + slope · (pixel − centre).
-struct MiddlePlane {
-  Vec2 centre = Vec2::Zero();
-  Vec2 slope = Vec2::Zero();  // units per pixel
-  double at = 0;
-  double depth(const Vec2& pixel) const { return at + slope.dot(pixel - centre); }
-};
+constexpr double kFar = 5;  // cells outside from which a sample needs no better distance
 
-// The plane nearest to the bones, upright against the view where they don't say otherwise. A bone
-// that points at the camera says nothing of its part's lean: its slope counts by its length in the
-// image alone.
-MiddlePlane middle_plane(const PartView& view, std::span<const Bone> bones, const Vec3& middle) {
-  MiddlePlane plane;
-  const Vec3 M = view.to_world * middle;
-  plane.centre = view.camera.project(M);
-  plane.at = M.z();
+// A bone that points at the camera says nothing of its part's lean: its slope counts by its length
+// in the image alone.
+MiddleSheet middle_sheet(const PartView& view, std::span<const Bone> bones, const Vec3& through) {
+  MiddleSheet sheet;
+  const Vec3 M = view.to_world * through;
+  sheet.centre = view.camera.project(M);
+  sheet.at = M.z();
   const double s = view.camera.pixels_per_unit(M.z());
   Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
   Vec2 b = Vec2::Zero();
@@ -37,10 +29,12 @@ MiddlePlane middle_plane(const PartView& view, std::span<const Bone> bones, cons
   }
   if (lengths > 0) {
     A += 0.25 * lengths * Eigen::Matrix2d::Identity();
-    plane.slope = A.ldlt().solve(b) / s;
+    sheet.slope = A.ldlt().solve(b) / s;
   }
-  return plane;
+  return sheet;
 }
+
+namespace {
 
 // u on a raster: Δu = −1 where distance < 0 (both in steps), 0 on the line, by over-relaxation.
 // Neighbours across the line are mirrored through it at the crossing that the distances tell.
@@ -70,15 +64,15 @@ void solve_poisson(const std::vector<float>& distance, int nx, int ny, std::vect
 
 }  // namespace
 
-void inflate(const Carving& carving, std::span<const Bone> bones, double fatness,
-             Grid3<float>& field) {
-  const PartView& view = *carving.views[0].view;
+void inflate(const Silhouette& silhouette, std::span<const Bone> bones, const Vec3& through,
+             double fatness, Grid3<float>& field) {
+  const PartView& view = *silhouette.view;
   const FrameCamera& camera = view.camera;
-  const MiddlePlane plane = middle_plane(view, bones, carving.middle);
-  const double s = camera.pixels_per_unit(plane.at);
+  const MiddleSheet sheet = middle_sheet(view, bones, through);
+  const double s = camera.pixels_per_unit(sheet.at);
   const double step = field.cell * s;  // pixels between the raster's samples
   const Box2 box = view.outline.box();
-  const double margin = 3 * step + carving.views[0].grown;
+  const double margin = 3 * step + silhouette.grown;
   const Vec2 origin = box.min() - Vec2::Constant(margin);
   const int nx = int((box.sizes().x() + 2 * margin) / step) + 2;
   const int ny = int((box.sizes().y() + 2 * margin) / step) + 2;
@@ -88,10 +82,8 @@ void inflate(const Carving& carving, std::span<const Bone> bones, double fatness
   for (int y = 0; y < ny; ++y)
     for (int x = 0; x < nx; ++x) {
       const Vec2 pixel = origin + step * Vec2(x, y);
-      const Vec3 X = camera.ray(pixel).at_z(plane.depth(pixel));
-      double outside = -std::numeric_limits<double>::infinity();
-      for (const Silhouette& silhouette : carving.views)
-        outside = std::max(outside, silhouette.distance(to_rest * X));
+      const Vec3 X = camera.ray(pixel).at_z(sheet.depth(pixel));
+      const double outside = silhouette.distance(to_rest * X);
       distance[std::size_t(y) * nx + x] = float(outside / field.cell);
       deepest = std::max(deepest, -outside / field.cell);
     }
@@ -101,9 +93,11 @@ void inflate(const Carving& carving, std::span<const Bone> bones, double fatness
   // As thick at the thickest place as the widest ball inside the outline.
   const double per_u = deepest * deepest / most;
 
+  const float far = float(kFar * field.cell);
   for (int k = 0; k < field.size.z(); ++k)
     for (int j = 0; j < field.size.y(); ++j)
       for (int i = 0; i < field.size.x(); ++i) {
+        if (field(i, j, k) >= far) continue;
         const Vec3 X = view.to_world * field.position(i, j, k);
         if (!camera.in_front(X)) continue;
         const Vec2 pixel = camera.project(X);
@@ -115,7 +109,7 @@ void inflate(const Carving& carving, std::span<const Bone> bones, double fatness
         const double here = per_u * ((1 - wy) * low + wy * high);
         const Vec2 slope =
             per_u * Vec2((1 - wy) * (v[1] - v[0]) + wy * (v[nx + 1] - v[nx]), high - low);
-        const double z = (X.z() - plane.depth(pixel)) / field.cell / fatness;
+        const double z = (X.z() - sheet.depth(pixel)) / field.cell / fatness;
         // z² − u over its gradient's length: the distance, to first order.
         const double gradient = std::sqrt(4 * z * z / (fatness * fatness) + slope.squaredNorm());
         const double d = (z * z - here) / std::max(gradient, 1e-3);

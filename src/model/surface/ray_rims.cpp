@@ -39,7 +39,7 @@ struct Others {
 Others others_of(const Carving& carving, int view) {
   Others others{{}, &carving.slab};
   for (const Silhouette& other : carving.views)
-    if (!same_direction(other.direction, carving.views[view].direction))
+    if (sin2_between(other.direction, carving.views[view].direction) > kOneDirection)
       others.views.push_back(&other);
   return others;
 }
@@ -105,15 +105,16 @@ void choose_depths(const Carving& carving, const Box3& box, RayRim& rim) {
   const double R = carving.radius;
   const Others others = others_of(carving, rim.view);
   // Data term per ray and depth: far outside is dear, deep inside is good.
-  constexpr double kOutside = 100, kSmooth = 0.5;
+  constexpr double kOutside = 100, kSmooth = 0.5, kSheet = 1;
   std::vector<Depths> depths;
   std::vector<float> data(std::size_t(n) * kDepths);
   for (int i = 0; i < n; ++i) {
     depths.push_back(depths_of(box, rim.rays[i].ray));
     const std::array<float, kDepths> outside = others.distances(rim.rays[i].ray, depths[i]);
     for (int k = 0; k < kDepths; ++k) {
-      const double e = outside[k] / R;
-      data[i * kDepths + k] = float(e > 0 ? kOutside * std::min(e * e, 100.0) : e);
+      const double e = outside[k] / R, off = (depths[i].at(k) - rim.rays[i].sheet) / R;
+      data[i * kDepths + k] = float((e > 0 ? kOutside * std::min(e * e, 100.0) : (1 - rim.doubt) * e) +
+                                    rim.doubt * kSheet * off * off);
     }
   }
   // Twice around, so that the seam lies in the middle of a path that is then cut at both ends.
@@ -177,7 +178,7 @@ void detect_depths(const Carving& carving, const Box3& box, const HermiteSurface
   // Least squares: each depth near the one found, as firmly as f bends there though no more than a
   // ball of the part's size would, and near its neighbours' depths. Where f is flat along the rays
   // the neighbours decide.
-  constexpr double kSmooth = 0.5, kLoosest = 1e-3;
+  constexpr double kSmooth = 0.5, kLoosest = 1e-3, kGuess = 0.3;
   const auto step_after = [&](int i) {
     const RimRay &a = rim.rays[i], &b = rim.rays[(i + 1) % n];
     return std::max((a.ray.at(a.depth) - b.ray.at(a.depth)).norm(), 1e-3 * R);
@@ -189,8 +190,9 @@ void detect_depths(const Carving& carving, const Box3& box, const HermiteSurface
     const double after = step_after(i), before = step_after((i + n - 1) % n);
     const Least least = least_along(rim.rays[i].ray, depths_of(box, rim.rays[i].ray), f, others);
     const double firm = (before + after) / 2 * std::clamp(least.bend, kLoosest / R, 1 / R);
-    A(i, i) += firm;
-    rhs[i] = firm * least.depth;
+    const double guess = (before + after) / 2 * kGuess * rim.doubt / R;
+    A(i, i) += firm + guess;
+    rhs[i] = firm * least.depth + guess * rim.rays[i].sheet;
     const double tie = kSmooth * R / after;
     A(i, i) += tie;
     A(next, next) += tie;

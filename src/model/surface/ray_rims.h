@@ -15,11 +15,13 @@ struct RimRay {
   Vec2 outward;      // unit, in the image
   Ray ray;           // in rest space
   double depth = 0;  // along the ray
+  double sheet = 0;  // the depth at which it meets the part's middle sheet (inflate.h)
 };
 
 // One closed line of one view.
 struct RayRim {
   int view = 0;              // index into the carving's views
+  double doubt = 0;          // 0 … 1: how much the other views leave the depths open
   std::vector<RimRay> rays;  // in order around the line; the last is next to the first
 };
 
@@ -29,7 +31,8 @@ std::vector<RayRim> outline_rays(const Silhouette& silhouette, int count);
 
 // Chooses the depths: a closed dynamic programme that keeps each ray's point inside the other
 // views' outlines, deep rather than at their edge, and near its neighbours' depths. Views in the
-// rim's own direction say nothing of depth and are left out.
+// rim's own direction say nothing of depth and are left out. Views near it leave long intervals,
+// with the truth at an end of them: the more `doubt`, the more the middle sheet counts.
 void choose_depths(const Carving& carving, const Box3& box, RayRim& rim);
 
 // Moves the points to where f is least along their rays inside the other views' outlines: there the

@@ -129,6 +129,66 @@ TEST(SurfaceRays, WhatIsSeenFromOneDirectionIsRound) {
   EXPECT_NEAR(bounds(surface.mesh.V).sizes().z(), 1, 0.15);
 }
 
+// Two sides, `degrees` apart, that show the same outline.
+Part twice_drawn(double degrees, const drawn::Outline& first, const drawn::Outline& second) {
+  const Quat turned(Eigen::AngleAxisd(radians(degrees), Vec3::UnitY()));
+  return drawn::part({{from_front(), {first}, {}}, {turned, {second}, {}}});
+}
+double depth_over_width(const PartSurface& surface) {
+  const Vec3 size = bounds(surface.mesh.V).sizes();
+  return size.z() / size.x();
+}
+
+// From near sides, and from behind, a limb's depth is a guess: about as deep as wide, and so it
+// stays while the sides part, until they show it.
+TEST(SurfaceRays, FromSidesNearEachOtherALimbIsAboutAsDeepAsWide) {
+  double last = 0;
+  for (const double degrees : {0, 5, 9, 11, 15, 20, 30, 45, 60, 75, 90, 165, 180}) {
+    const Part part = twice_drawn(degrees, ellipse(0.4, 1), ellipse(0.4, 1));
+    const PartSurface surface = surface_of(part);
+    expect_sound(surface);
+    expect_silhouettes(part, surface.mesh, 0.97);
+    const double depth = depth_over_width(surface);
+    EXPECT_NEAR(depth, 1, 0.25) << degrees;
+    if (degrees > 0) {
+      EXPECT_NEAR(depth, last, 0.15) << degrees;
+    }
+    last = depth;
+  }
+}
+
+// A hand that draws the part wider, and beside where it was, makes no plank of it.
+TEST(SurfaceRays, NearSidesThatContradictEachOtherMakeNoPlank) {
+  for (const double degrees : {10, 20, 30, 170}) {
+    const Part part = twice_drawn(degrees, ellipse(0.4, 1), ellipse(0.46, 0.94, {0.05, 0.02}));
+    const PartSurface surface = surface_of(part);
+    expect_sound(surface);
+    EXPECT_NEAR(depth_over_width(surface), 1.1, 0.5) << degrees;
+    expect_silhouettes(part, surface.mesh, 0.82);
+  }
+}
+
+TEST(SurfaceRays, FatnessActsBetweenNearSides) {
+  Part part = twice_drawn(20, ellipse(0.4, 1), ellipse(0.4, 1));
+  double last = 0;
+  for (const double fatness : {0.6, 1.0, 1.5}) {
+    part.fatness = fatness;
+    const double depth = depth_over_width(surface_of(part));
+    EXPECT_GT(depth, 1.2 * last) << fatness;
+    last = depth;
+  }
+}
+
+// An arm that points half at the camera is as deep as it is long.
+TEST(SurfaceRays, OneDrawingOfALeaningLimbFollowsItsBone) {
+  Part part = drawn::part({{from_front(), {ellipse(0.9, 0.25)}, {}}});
+  part.bones = {{0, 1, {-0.8, 0, -0.8}, {0.8, 0, 0.8}}};
+  const PartSurface surface = surface_of(part);
+  expect_sound(surface);
+  expect_silhouettes(part, surface.mesh, 0.97);
+  EXPECT_GT(bounds(surface.mesh.V).sizes().z(), 1.2);
+}
+
 TEST(SurfaceRays, StrokesAloneAreNoPartButDoNotHurtOne) {
   artisketch::Run run;
   const drawn::Outline stroke = {{0, 0}, {0.5, 0.5}, {1, 0}};
