@@ -1,5 +1,6 @@
 // The whole of it, as the paper's section 1.3 tells it: calibrate the poses, reconstruct every
 // part, make them one skin, bind that to the skeleton.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -8,6 +9,7 @@
 #include "model/rig/snap_rims.h"
 #include "model/stage_clock.h"
 #include "model/stages.h"
+#include "model/surface/carving.h"
 #include "model/surface/mirror.h"
 
 namespace artisketch {
@@ -41,6 +43,21 @@ void name_missed_triangles(int made, int wanted, std::vector<std::string>& warni
                                     : ": its surface has no more to show"));
 }
 
+// Says where drawings leave the depth to guess though there are several.
+void warn_of_one_side(const Document& document, const std::vector<Part>& parts,
+                      std::vector<std::string>& warnings) {
+  constexpr double kLittle = 0.25;  // sin² of 30°
+  const auto drawn = std::count_if(document.frames.begin(), document.frames.end(),
+                                   [](const Frame& f) { return !f.contours.empty(); });
+  const auto guessed = std::count_if(parts.begin(), parts.end(), [](const Part& part) {
+    return widest_spread(part) < kLittle;
+  });
+  if (drawn > 1 && 2 * guessed > std::ptrdiff_t(parts.size()))
+    warnings.push_back(
+        "the drawings show most parts from nearly the same side, or its opposite: how deep those "
+        "are is a guess. A drawing from another side would tell");
+}
+
 }  // namespace
 
 Result<Reconstruction> reconstruct(const Document& document, const PipelineOptions& options,
@@ -63,6 +80,7 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   stages.start("surfaces", 0.3, 0.8);
   std::vector<Part> parts = parts_of(out.calibrated);
   name_specks(out.calibrated, parts, out.warnings);
+  warn_of_one_side(out.calibrated, parts, out.warnings);
   if (options.mirror) add_mirrored_views(out.calibrated, parts);
   double cells = 0, part_vertices = 0;
   for (std::size_t p = 0; p < parts.size(); ++p) {
