@@ -11,6 +11,7 @@
 #include "model/stages.h"
 #include "model/surface/carving.h"
 #include "model/surface/mirror.h"
+#include "model/working_scale.h"
 
 namespace artisketch {
 namespace {
@@ -81,7 +82,10 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   std::vector<Part> parts = parts_of(out.calibrated);
   name_specks(out.calibrated, parts, out.warnings);
   warn_of_one_side(out.calibrated, parts, out.warnings);
-  if (options.mirror) add_mirrored_views(out.calibrated, parts);
+  const int scale = working_scale(out.calibrated);
+  const Document drawn = enlarged(out.calibrated, scale);
+  for (Part& part : parts) part = enlarged(std::move(part), scale);
+  if (options.mirror) add_mirrored_views(drawn, parts);
   double cells = 0, part_vertices = 0;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     stages.part(parts[p].name, int(p), int(parts.size()), 0.3, 0.8);
@@ -96,13 +100,13 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   stages.finish({{"parts", double(parts.size())}, {"cells", cells}, {"vertices", part_vertices}});
 
   stages.start("one skin", 0.8, 0.9);
-  Result<Mesh> mesh = consolidate(out.calibrated, out.parts,
+  Result<Mesh> mesh = consolidate(drawn, out.parts,
                                   {!options.visual_hull, options.triangles}, out.warnings, run);
   if (!mesh) return mesh.error();
   const bool as_few_as_show = options.triangles == 0;
   *mesh = simplified(
       *mesh, options.triangles,
-      as_few_as_show ? pixel_size(out.calibrated) / 2 : std::numeric_limits<double>::infinity());
+      as_few_as_show ? pixel_size(drawn) / 2 : std::numeric_limits<double>::infinity());
   if (!as_few_as_show) name_missed_triangles(int(mesh->F.rows()), options.triangles, out.warnings);
   stages.finish({{"vertices", double(mesh->V.rows())}, {"triangles", double(mesh->F.rows())}});
 
@@ -113,7 +117,7 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
 
   if (!options.visual_hull) {
     stages.start("rims", 0.95, 0.96);
-    snap_rims(out.calibrated, parts, *weights, *mesh, run);
+    snap_rims(drawn, parts, *weights, *mesh, run);
     stages.finish({});
   }
 
@@ -122,7 +126,9 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
       clips_of(out.calibrated)};
   if (!options.drawings.empty()) {
     stages.start("texture", 0.95, 0.97);
-    Result<Model> model = textured(out.calibrated, options.drawings, out.model, run);
+    std::vector<Picture> drawings;
+    for (const Picture& drawing : options.drawings) drawings.push_back(enlarged(drawing, scale));
+    Result<Model> model = textured(drawn, drawings, out.model, run);
     if (!model) return model.error();
     out.model = std::move(*model);
     const double texels =

@@ -1,0 +1,82 @@
+#include "model/working_scale.h"
+
+#include <gtest/gtest.h>
+
+#include "figures.h"
+
+namespace artisketch {
+namespace {
+
+// Two drawings of a figure, so small that a limb is a few pixels wide.
+Document small_drawings() {
+  const figures::Figure figure = figures::human(1);
+  constexpr int kSize = 96;
+  const Camera camera =
+      figures::fitting_camera(figure, Camera::Type::orthographic, kSize, kSize);
+  return figures::draw(figure, figures::random_views(figure, 2, 1), camera, kSize, kSize).truth;
+}
+
+// Columns of red and blue.
+Picture stripes(int width, int height) {
+  Picture picture{width, height, {}};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (const int c : {x % 4 < 2 ? 255 : 0, 40, x % 4 < 2 ? 0 : 255, 255})
+        picture.rgba.push_back((unsigned char)c);
+  return picture;
+}
+
+TEST(WorkingScale, EnlargesSmallFiguresByAPowerOfTwo) {
+  const Document document = small_drawings();
+  const int times = working_scale(document);
+  EXPECT_EQ(times, 4);
+  EXPECT_EQ(working_scale(enlarged(document, 2)), 2);
+  EXPECT_EQ(working_scale(enlarged(document, 4)), 1);
+  EXPECT_EQ(working_scale(enlarged(document, 8)), 1);
+  EXPECT_EQ(working_scale({}), 1);
+}
+
+TEST(WorkingScale, AnEnlargedDocumentShowsTheSameInMorePixels) {
+  const Document document = small_drawings(), large = enlarged(document, 4);
+  const FrameCamera before = frame_camera(document, 1), after = frame_camera(large, 1);
+  const Vec3 X(0.3, 0.8, -0.2);
+  EXPECT_LT((4 * before.project(X) - after.project(X)).norm(), 1e-9);
+  EXPECT_LT((4 * document.frames[1].contours[2].line.points[3] -
+             large.frames[1].contours[2].line.points[3])
+                .norm(),
+            1e-12);
+  const Picture picture = stripes(3, 2), twice = enlarged(picture, 2);
+  ASSERT_EQ(twice.width, 6);
+  ASSERT_EQ(twice.height, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 6; ++x)
+      for (int c = 0; c < 4; ++c)
+        EXPECT_EQ(twice.rgba[4 * (6 * y + x) + c], picture.rgba[4 * (3 * (y / 2) + x / 2) + c]);
+}
+
+// What is small is not worse: the model is that of the same drawings enlarged, with its colours.
+TEST(WorkingScale, DrawingsOfAnySizeGiveTheSameModel) {
+  const Document document = small_drawings();
+  PipelineOptions options;
+  options.grid = 32;
+  options.triangles = 3000;
+  options.calibrate = false;
+  artisketch::Run run;
+  std::optional<Model> first;
+  for (const int times : {1, 2, 4}) {
+    const Document drawn = enlarged(document, times);
+    options.drawings = {enlarged(stripes(96, 96), times), enlarged(stripes(96, 96), times)};
+    const Result<Reconstruction> made = reconstruct(drawn, options, run);
+    ASSERT_TRUE(made);
+    if (!first) {
+      first = made->model;
+      ASSERT_TRUE(first->texture);
+      continue;
+    }
+    EXPECT_EQ(made->model.mesh.V, first->mesh.V) << times;
+    EXPECT_EQ(made->model.texture->rgba, first->texture->rgba) << times;
+  }
+}
+
+}  // namespace
+}  // namespace artisketch
