@@ -8,6 +8,7 @@
 #include <string>
 
 #include "figures/measure.h"
+#include "quality/baselines.h"
 #include "quality/inconsistent.h"
 
 using namespace artisketch;
@@ -23,15 +24,19 @@ constexpr const char* kUsage =
     "                          [--poses] [--no-calibrate] [--no-mirror] [--visual-hull]\n"
     "       artisketch_quality --inconsistent [--figures N] [--frames N] [--error DEGREES]\n"
     "                          [--baseline DEGREES] [--poses] [--grid N]\n"
+    "       artisketch_quality --depth [--figures N] [--frames N] [--baseline DEGREES]\n"
+    "                          [--wobble PIXELS] [--grid N]\n"
     "Every combination of the settings not named; --brief: one case per figure;\n"
     "--poses: calibration alone; --inconsistent: drawings that disagree as people's do,\n"
-    "calibrated, with the poses given, and the first drawing alone.\n";
+    "calibrated, with the poses given, and the first drawing alone; --depth: how deep bodies\n"
+    "come out by how far apart the drawings see them.\n";
 
 struct Options {
   bool brief = false;
   bool poses = false;
   bool inconsistent = false;
-  std::vector<double> baselines;  // degrees; for drawings that disagree; empty: several
+  bool depth = false;
+  std::vector<double> baselines;  // degrees that the drawings span; empty: several
   int figures = 6;
   std::vector<int> frames = {2, 3, 4};
   std::vector<double> errors = {0, 8, 15};       // degrees
@@ -201,6 +206,8 @@ bool read_options(int count, char** words, Options& options) {
     const auto value = [&]() -> std::string { return i + 1 < count ? words[++i] : ""; };
     if (word == "--brief") {
       options.brief = true;
+    } else if (word == "--depth") {
+      options.depth = true;
     } else if (word == "--poses") {
       options.poses = true;
     } else if (word == "--inconsistent") {
@@ -252,6 +259,17 @@ int main(int count, char** words) {
     if (options.errors.size() == 1) table.errors = options.errors;
     if (!options.baselines.empty()) table.baselines = options.baselines;
     quality::print_inconsistent(table);
+    return 0;
+  }
+  if (options.depth) {
+    quality::BaselineOptions table;
+    table.figures = options.figures;
+    table.pipeline = options.pipeline;
+    table.pipeline.calibrate = false;
+    if (options.frames.size() == 1) table.frames = options.frames;
+    if (options.wobbles.size() == 1) table.wobble = options.wobbles[0];
+    if (!options.baselines.empty()) table.baselines = options.baselines;
+    quality::print_baselines(table);
     return 0;
   }
   print_head();
