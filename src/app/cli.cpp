@@ -3,20 +3,26 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <new>
 #include <optional>
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>
 
+#include "app/command_words.h"
+#include "app/job.h"
 #include "app/progress_line.h"
 #include "files/bvh_file.h"
 #include "files/bytes.h"
+#include "files/document_check.h"
 #include "files/document_file.h"
 #include "files/gltf.h"
 #include "files/image_file.h"
+#include "files/inside_images.h"
 #include "files/mesh_file.h"
 #include "files/preview.h"
 #include "files/report_file.h"
@@ -51,6 +57,15 @@ struct Output {
   std::string path, bytes;
 };
 
+enum class Kind { model, document, picture, report };
+
+// A path to write to, and what it will hold.
+struct Target {
+  const char* option;
+  std::string path;
+  Kind kind;
+};
+
 int fail(const Error& error) {
   std::fprintf(stderr, "%s\n", error.text().c_str());
   switch (error.kind) {
@@ -67,15 +82,92 @@ int fail(const Error& error) {
 }
 
 int write_all(const std::vector<Output>& outputs) {
-  for (const Output& output : outputs)
-    if (const auto written = write_file(output.path, output.bytes); !written)
-      return fail(io_error(written.error().text()));
-  return kDone;
+  std::vector<NewFile> files;
+  for (const Output& output : outputs) files.push_back({output.path, output.bytes});
+  const Result<Done> written = write_files(files);
+  return written ? kDone : fail(io_error(written.error().text()));
+}
+
+// The ending of an output says what will be in it: another kind's would lie.
+std::optional<std::string> wrong_ending(const std::vector<Target>& targets) {
+  constexpr struct {
+    std::string_view ending;
+    std::optional<Kind> kind;  // none: nothing that is written here
+  } kEndings[] = {{".glb", Kind::model},
+                  {".obj", Kind::model},
+                  {".stl", Kind::model},
+                  {".ply", Kind::model},
+                  {".png", Kind::picture},
+                  {".json", Kind::report},
+                  {".artisketch", Kind::document},
+                  {".jpg", {}},
+                  {".jpeg", {}},
+                  {".gif", {}},
+                  {".webp", {}},
+                  {".bmp", {}},
+                  {".tif", {}},
+                  {".tiff", {}},
+                  {".svg", {}},
+                  {".pdf", {}},
+                  {".gltf", {}},
+                  {".fbx", {}},
+                  {".bvh", {}},
+                  {".zip", {}}};
+  constexpr const char* kRight[] = {".glb, .obj, .stl or .ply", ".artisketch", ".png", ".json"};
+  for (const Target& target : targets) {
+    std::string ending = std::filesystem::path(target.path).extension().string();
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    for (const auto& known : kEndings)
+      if (ending == known.ending && known.kind != target.kind)
+        return std::string(target.option) + " " + target.path + ": wanted a file that ends in " +
+               kRight[int(target.kind)];
+  }
+  return std::nullopt;
+}
+
+// What a run reads stays as it is, and two of its results don't go to one place.
+std::optional<std::string> overwritten(const std::vector<Target>& targets,
+                                       const std::vector<std::string>& inputs) {
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    if (targets[i].path.empty()) continue;
+    for (const std::string& input : inputs)
+      if (!input.empty() && same_file(targets[i].path, input))
+        return std::string(targets[i].option) + " " + targets[i].path +
+               ": would replace what is read from " + input + "; name another file";
+    for (std::size_t j = 0; j < i; ++j)
+      if (!targets[j].path.empty() && same_file(targets[i].path, targets[j].path))
+        return std::string(targets[i].option) + " " + targets[i].path + ": is the file of " +
+               targets[j].option + ", too; name another";
+  }
+  return std::nullopt;
+}
+
+int bad_command_line(const std::string& words) {
+  std::fprintf(stderr, "%s\n", words.c_str());
+  return kBadCommandLine;
+}
+
+// A document and the files of its drawings.
+std::vector<std::string> files_of(const Document& document, const std::string& path) {
+  std::vector<std::string> files{path};
+  for (const Frame& frame : document.frames)
+    if (!frame.image.empty() && !frame.image.starts_with("data:"))
+      files.push_back((std::filesystem::path(path).parent_path() / frame.image).string());
+  return files;
+}
+
+// A document that can be worked on.
+Result<Document> sound_document(const std::string& path) {
+  Result<Document> document = read_document(path);
+  if (!document) return bad_input(document.error().text());
+  if (const Result<Done> sound = check_document(*document, path); !sound) return sound.error();
+  return document;
 }
 
 // A result that has nowhere to go is better known before the work than after it.
-std::optional<Error> unwritable(const std::vector<std::string>& paths) {
-  for (const std::string& path : paths) {
+std::optional<Error> unwritable(const std::vector<Target>& targets) {
+  for (const Target& target : targets) {
+    const std::string& path = target.path;
     if (path.empty()) continue;
     std::error_code ignored;
     std::filesystem::path folder = std::filesystem::path(path).parent_path();
@@ -151,7 +243,8 @@ void print_summary(const std::string& out, std::size_t bytes, const Document& do
   std::printf(" total %s\n", seconds_text(total).c_str());
 }
 
-// The document's text for a file at `to`: drawings are named relative to the file that names them.
+// The document's text for a file at `to`: drawings are named relative to the file that names them,
+// or go into it where that would lead out of its folder.
 std::string text_beside(Document document, const std::string& from, const std::string& to) {
   namespace fs = std::filesystem;
   for (Frame& frame : document.frames) {
@@ -160,24 +253,38 @@ std::string text_beside(Document document, const std::string& from, const std::s
     const fs::path image = fs::absolute(fs::path(from).parent_path() / frame.image, failed);
     const fs::path beside =
         fs::relative(image, fs::absolute(fs::path(to), failed).parent_path(), failed);
-    if (!failed && !beside.empty()) frame.image = beside.generic_string();
+    if (failed || beside.empty()) continue;
+    const Result<std::string> bytes =
+        leaves_folder(beside.generic_string()) ? read_file(image.string()) : io_error("");
+    if (bytes && decode_image(*bytes, ""))
+      frame.image = data_uri(*bytes);
+    else
+      frame.image = beside.generic_string();
   }
   return document_text(document);
 }
 
-int reconstruct_verb(const Arguments& a) {
+int reconstruct_verb(Arguments& a) {
   const std::string ending = model_ending(a.out);
-  if (ending.empty()) {
-    std::fprintf(stderr, "-o %s: wanted a file that ends in .glb, .obj, .stl or .ply\n",
-                 a.out.c_str());
-    return kBadCommandLine;
-  }
-  if (const auto error = unwritable({a.out, a.calibrated, a.report, a.preview}))
-    return fail(*error);
-  const Result<Document> document = read_document(a.in);
-  if (!document) return fail(bad_input(document.error().text()));
+  if (ending.empty())
+    return bad_command_line("-o " + a.out +
+                            ": wanted a file that ends in .glb, .obj, .stl or .ply");
+  const std::vector<Target> targets{{"-o", a.out, Kind::model},
+                                    {"--calibrated", a.calibrated, Kind::document},
+                                    {"--report", a.report, Kind::report},
+                                    {"--preview", a.preview, Kind::picture}};
+  if (const auto words = wrong_ending(targets)) return bad_command_line(*words);
+  if (const auto error = unwritable(targets)) return fail(*error);
+  const Result<Document> document = sound_document(a.in);
+  if (!document) return fail(document.error());
+  std::vector<std::string> inputs = files_of(*document, a.in);
+  inputs.push_back(a.motion);
+  if (const auto words = overwritten(targets, inputs)) return bad_command_line(*words);
   std::optional<Clip> clip;
-  if (!a.motion.empty()) {
+  if (!a.motion.empty() && ending != ".glb") {
+    print_warnings({"--motion " + a.motion + ": is left out, since " + ending +
+                    " holds the surface alone; name a .glb to have it"});
+  } else if (!a.motion.empty()) {
     Result<Motion> motion = read_bvh(a.motion);
     if (!motion) return fail(motion.error());
     Result<Clip> moved = retargeted(*document, *motion);
@@ -187,6 +294,7 @@ int reconstruct_verb(const Arguments& a) {
   PipelineOptions options;
   options.method = method_of(a, *document);
   options.grid = a.grid.value_or(document->settings.grid.value_or(options.grid));
+  a.grid = options.grid;
   options.triangles =
       a.triangles.value_or(document->settings.triangles.value_or(options.triangles));
   options.mirror = document->settings.mirror.value_or(options.mirror);
@@ -197,6 +305,7 @@ int reconstruct_verb(const Arguments& a) {
   std::vector<std::string> missing;
   if (texture || !a.preview.empty()) drawings = load_drawings(*document, a.in, missing);
   print_warnings(missing);
+  print_warnings(drawing_words(*document, a.in));
   if (texture) options.drawings = pictures(drawings);
   CommandRun command(a);
   Result<Reconstruction> result = reconstruct(*document, options, command.run);
@@ -222,9 +331,14 @@ int reconstruct_verb(const Arguments& a) {
 }
 
 int calibrate_verb(const Arguments& a) {
-  if (const auto error = unwritable({a.out, a.report})) return fail(*error);
-  const Result<Document> document = read_document(a.in);
-  if (!document) return fail(bad_input(document.error().text()));
+  const std::vector<Target> targets{{"-o", a.out, Kind::document},
+                                    {"--report", a.report, Kind::report}};
+  if (const auto words = wrong_ending(targets)) return bad_command_line(*words);
+  if (const auto error = unwritable(targets)) return fail(*error);
+  const Result<Document> document = sound_document(a.in);
+  if (!document) return fail(document.error());
+  if (const auto words = overwritten(targets, files_of(*document, a.in)))
+    return bad_command_line(*words);
   CommandRun command(a);
   command.run.now.stage = "calibrate";
   const auto began = std::chrono::steady_clock::now();
@@ -248,12 +362,15 @@ int calibrate_verb(const Arguments& a) {
 int check_verb(const Arguments& a) {
   const Result<Document> document = read_document(a.in);
   if (!document) return fail(bad_input(document.error().text()));
-  // The drawings are part of the document: a missing one shows here and not half-way through.
   std::vector<std::string> faults;
+  if (const Result<Done> sound = check_document(*document, a.in); !sound)
+    faults = sound.error().faults;
+  // The drawings are part of the document: a missing one shows here and not half-way through.
   for (const Frame& frame : document->frames)
     if (const Result<Image> image = load_frame_image(frame, a.in); !image)
       faults.push_back(image.error().text());
   if (!faults.empty()) return fail({Error::Kind::bad_input, faults});
+  print_warnings(drawing_words(*document, a.in));
   if (!a.quiet)
     std::printf("%s: fine: %d drawings, %d joints, %d parts\n", a.in.c_str(),
                 int(document->frames.size()), document->skeleton.size(),
@@ -266,24 +383,23 @@ int render_verb(const Arguments& a) {
   char extra = 0;
   if (std::sscanf(a.size.c_str(), "%dx%d%c", &options.width, &options.height, &extra) != 2 ||
       std::min(options.width, options.height) < 16 ||
-      std::max(options.width, options.height) > 8192) {
-    std::fprintf(stderr,
-                 "--size %s: wanted WIDTHxHEIGHT in pixels, 16 to 8192 each, like 800x600\n",
-                 a.size.c_str());
-    return kBadCommandLine;
-  }
-  if (const auto error = unwritable({a.out})) return fail(*error);
+      std::max(options.width, options.height) > 8192)
+    return bad_command_line("--size " + a.size +
+                            ": wanted WIDTHxHEIGHT in pixels, 16 to 8192 each, like 800x600");
+  const std::vector<Target> targets{{"-o", a.out, Kind::picture}};
+  if (const auto words = wrong_ending(targets)) return bad_command_line(*words);
+  if (const auto error = unwritable(targets)) return fail(*error);
+  if (const auto words = overwritten(targets, {a.in})) return bad_command_line(*words);
   const Result<std::string> bytes = read_file(a.in);
   if (!bytes) return fail(bad_input(bytes.error().text()));
   const Result<Model> model = read_glb(*bytes, a.in);
   if (!model) return fail(bad_input(model.error().text()));
   if (a.frame) {
     const int keys = model->clips.empty() ? 0 : int(model->clips[0].poses.size());
-    if (a.frame > keys) {
-      std::fprintf(stderr, "--frame %d: %s has %d frames; name one from 1 to %d\n", a.frame,
-                   a.in.c_str(), keys, keys);
-      return kBadCommandLine;
-    }
+    if (a.frame > keys)
+      return bad_command_line("--frame " + std::to_string(a.frame) + ": " + a.in + " has " +
+                              std::to_string(keys) + " frames; name one from 1 to " +
+                              std::to_string(keys));
     options.frame = a.frame - 1;
   }
   options.clear = a.clear;
@@ -303,10 +419,31 @@ void add_run_flags(CLI::App& verb, Arguments& a) {
   verb.add_flag("--progress", a.progress, "show progress even where standard error is no terminal");
 }
 
-}  // namespace
+// What a verb doesn't know, with what it may have been meant to be.
+int unknown_words(const CLI::App& app) {
+  const CLI::App* verb = app.get_subcommands().empty() ? &app : app.get_subcommands()[0];
+  std::vector<std::string> options;
+  for (const CLI::Option* option : verb->get_options())
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  std::string words;
+  bool after_option = false;  // what follows one is its value
+  for (const std::string& word : app.remaining(true)) {
+    if (!word.starts_with("-") && after_option) continue;
+    after_option = word.starts_with("-");
+    const std::string near =
+        word.starts_with("--") ? meant(word.substr(0, word.find('=')), options) : std::string();
+    words += (words.empty() ? "" : "\n") + ("artisketch " + verb->get_name()) + ": " +
+             (word.starts_with("-") ? "there is no option " : "what is to be done with ") + word +
+             (word.starts_with("-") ? "" : "?") +
+             (near.empty() ? "" : "; did you mean " + near + "?");
+  }
+  return bad_command_line(words + "\nartisketch " + verb->get_name() +
+                          " --help lists what it takes");
+}
 
-int run_cli(const std::vector<std::string>& arguments) {
-  Arguments a;
+int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
+  if (const std::string fault = verb_fault(arguments); !fault.empty())
+    return bad_command_line(fault);
   CLI::App app{"ArtiSketch: from a few drawings of a character to a 3D model that moves.",
                "artisketch"};
   app.set_version_flag("--version", "ArtiSketch " ARTISKETCH_VERSION);
@@ -344,14 +481,24 @@ int run_cli(const std::vector<std::string>& arguments) {
   draw.add_option("-o,--output", a.out, "the picture (.png)")->required();
   draw.add_option("--frame", a.frame, "the pose of drawing N (default: the rest pose)")
       ->check(CLI::Range(1, 100000));
-  draw.add_option("--yaw", a.yaw, "degrees about the vertical");
-  draw.add_option("--pitch", a.pitch, "degrees about the horizontal");
+  // Not CLI::Range, which lets nan through: no comparison with it holds.
+  const CLI::Validator angle(
+      [](const std::string& text) {
+        double degrees = 0;
+        const bool number = CLI::detail::lexical_cast(text, degrees);
+        return number && std::abs(degrees) <= 1e6 ? "" : text + ": wanted a number of degrees";
+      },
+      "DEGREES");
+  draw.add_option("--yaw", a.yaw, "degrees about the vertical")->check(angle);
+  draw.add_option("--pitch", a.pitch, "degrees about the horizontal")->check(angle);
   draw.add_option("--size", a.size, "WIDTHxHEIGHT in pixels (default 800x800)");
   draw.add_flag("--clear", a.clear, "nothing behind the model: a picture with transparency");
   draw.add_option("--turntable", a.turntable, "N pictures round the model, side by side")
       ->check(CLI::Range(1, 64));
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::ExtrasError&) {
+    return unknown_words(app);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) ? kBadCommandLine : kDone;
   }
@@ -359,6 +506,21 @@ int run_cli(const std::vector<std::string>& arguments) {
   if (pose.parsed()) return calibrate_verb(a);
   if (check.parsed()) return check_verb(a);
   return render_verb(a);
+}
+
+}  // namespace
+
+int run_cli(const std::vector<std::string>& arguments) {
+  // A file that may not grow further is an error of writing, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
+  Arguments a;
+  try {
+    return run_verbs(arguments, a);
+  } catch (const std::bad_alloc&) {
+    return fail(out_of_memory(a.grid));
+  } catch (const std::exception& thrown) {
+    return fail(broke_off(thrown.what()));
+  }
 }
 
 }  // namespace artisketch

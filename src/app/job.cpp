@@ -4,6 +4,7 @@
 #include <chrono>
 #include <new>
 
+#include "files/document_check.h"
 #include "files/document_file.h"
 #include "files/gltf.h"
 #include "files/image_file.h"
@@ -114,6 +115,8 @@ Result<JobResult> run_unguarded(const JobRequest& request, Run& run) {
   const Result<Document> document = parse_document(request.document, kFaultsCallIt);
   if (!document) return document.error();
   if (request.kind == JobRequest::Kind::spheres) return run_spheres(*document, request, run);
+  if (const Result<Done> sound = check_document(*document, kFaultsCallIt); !sound)
+    return sound.error();
   Trace trace;
   if (request.trace) run.trace = &trace;
   Result<JobResult> result = request.kind == JobRequest::Kind::calibrate
@@ -128,9 +131,13 @@ Result<JobResult> run_unguarded(const JobRequest& request, Run& run) {
 
 }  // namespace
 
-Error out_of_memory(int grid) {
-  std::string fault = "there is not enough memory for a grid of " + std::to_string(grid);
-  if (grid > 32) fault += "; try " + std::to_string(std::max(32, grid * 2 / 3));
+Error out_of_memory(std::optional<int> grid) {
+  std::string fault = "there is not enough memory";
+  if (grid) fault += " for a grid of " + std::to_string(*grid);
+  if (grid && *grid > 32)
+    fault += "; try " + std::to_string(std::max(32, *grid * 2 / 3));
+  else
+    fault += "; try smaller drawings, or end other programs";
   return {Error::Kind::out_of_memory, {std::move(fault)}};
 }
 

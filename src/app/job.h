@@ -51,8 +51,9 @@ struct JobResult {
 // of memory and anything thrown become errors in words.
 Result<JobResult> run_job(const JobRequest& request, Run& run);
 
-// The faults of a job that broke off. `grid` is what was asked for: a coarser one is suggested.
-Error out_of_memory(int grid);
+// The faults of a job that broke off. `grid` is what was asked for, if it was: a coarser one is
+// suggested.
+Error out_of_memory(std::optional<int> grid);
 Error broke_off(const std::string& why);
 
 // Where jobs run. Called from one thread, the one that draws.

@@ -8,10 +8,15 @@
 
 namespace artisketch {
 
-// Called before the first product of a run; cheap.
+// Called before the first product of a run. The sizes are the process's, and a run that was
+// cancelled may still be reading them on its thread: they are set once.
 inline void fix_blocking() {
-  constexpr std::ptrdiff_t kKilobyte = 1024;
-  Eigen::setCpuCacheSizes(32 * kKilobyte, 512 * kKilobyte, 2048 * kKilobyte);
+  static const bool set = [] {
+    constexpr std::ptrdiff_t kKilobyte = 1024;
+    Eigen::setCpuCacheSizes(32 * kKilobyte, 512 * kKilobyte, 2048 * kKilobyte);
+    return true;
+  }();
+  (void)set;
 }
 
 }  // namespace artisketch

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <limits>
+
+#include "base/ensure.h"
 
 namespace artisketch {
 namespace {
@@ -156,7 +157,7 @@ void add_triangles(std::span<const Vec2> pixels, const Triangles& F, Mask& mask)
 }
 
 double intersection_over_union(const Mask& a, const Mask& b) {
-  assert(a.width == b.width && a.height == b.height);
+  ensure(a.width == b.width && a.height == b.height, "masks of one size");
   std::size_t both = 0, either = 0;
   for (int y = 0; y < a.height; ++y) {
     const std::uint8_t *p = &a.in[std::size_t(y) * a.width], *q = &b.in[std::size_t(y) * a.width];
@@ -172,7 +173,7 @@ double intersection_over_union(const Mask& a, const Mask& b) {
 }
 
 double outline_distance(const Mask& a, const Mask& b) {
-  assert(a.width == b.width && a.height == b.height);
+  ensure(a.width == b.width && a.height == b.height, "masks of one size");
   const auto outline_a = outline_pixels(a), outline_b = outline_pixels(b);
   if (outline_a.empty() && outline_b.empty()) return 0;
   if (outline_a.empty() || outline_b.empty()) return std::numeric_limits<double>::infinity();

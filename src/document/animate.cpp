@@ -1,8 +1,9 @@
 #include "document/animate.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+
+#include "base/ensure.h"
 
 namespace artisketch {
 
@@ -23,7 +24,7 @@ Document with_clip(Document document, Pose first) {
 }
 
 Document without_clip(Document document, int clip) {
-  assert(clip >= 0 && clip < int(document.animations.size()));
+  ensure(clip >= 0 && clip < int(document.animations.size()), "a clip of the document");
   document.animations.erase(document.animations.begin() + clip);
   return document;
 }
@@ -44,7 +45,7 @@ Document with_key(Document document, int clip, double time, Pose pose) {
 
 Document without_key(Document document, int clip, int key) {
   std::vector<Key>& keys = document.animations.at(clip).keys;
-  assert(key >= 0 && key < int(keys.size()));
+  ensure(key >= 0 && key < int(keys.size()), "a key of the clip");
   keys.erase(keys.begin() + key);
   return keys.empty() ? without_clip(std::move(document), clip) : document;
 }

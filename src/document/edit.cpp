@@ -1,9 +1,9 @@
 #include "document/edit.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "base/ensure.h"
 #include "document/mend.h"
 
 namespace artisketch {
@@ -69,13 +69,14 @@ Document with_frame(Document document, Frame frame) {
 }
 
 Document without_frame(Document document, int frame) {
-  assert(frame >= 0 && frame < int(document.frames.size()));
+  ensure(frame >= 0 && frame < int(document.frames.size()), "a frame of the document");
   document.frames.erase(document.frames.begin() + frame);
   return document;
 }
 
 Document with_frame_moved(Document document, int frame, int to) {
-  assert(std::max(frame, to) < int(document.frames.size()) && std::min(frame, to) >= 0);
+  ensure(std::max(frame, to) < int(document.frames.size()) && std::min(frame, to) >= 0,
+         "frames of the document");
   Frame moved = std::move(document.frames[frame]);
   document.frames.erase(document.frames.begin() + frame);
   document.frames.insert(document.frames.begin() + to, std::move(moved));
@@ -83,7 +84,7 @@ Document with_frame_moved(Document document, int frame, int to) {
 }
 
 Document with_frame_copied(Document document, int frame) {
-  assert(frame >= 0 && frame < int(document.frames.size()));
+  ensure(frame >= 0 && frame < int(document.frames.size()), "a frame of the document");
   Frame copy = document.frames[frame];
   copy.name += copy.name.empty() ? "" : " copy";
   document.frames.insert(document.frames.begin() + frame + 1, std::move(copy));
@@ -114,11 +115,22 @@ Document with_camera_type(Document document, Camera::Type type) {
     camera.pixels_per_unit = camera.focal_length / camera.distance;
     return document;
   }
+  // A skeleton of one joint has no height; what is drawn may have.
   Box3 box;
   for (const Vec3& joint : rest_positions(document.skeleton)) box.extend(joint);
+  double height = box.isEmpty() ? 0 : box.sizes().maxCoeff();
+  double nearest = 0;  // of the joints, toward the viewer
+  for (const Frame& frame : document.frames) {
+    for (const Transform& joint : posed_joints(document.skeleton, frame.pose))
+      nearest = std::max(nearest, joint.translation().z());
+    if (box.isEmpty() || box.sizes().maxCoeff() > 0) continue;
+    for (const Contour& contour : frame.contours)
+      height = std::max(height, bounds({&contour.line, 1}).sizes().maxCoeff() /
+                                    (camera.pixels_per_unit * frame.scale));
+  }
+  if (!(height > 0)) height = 1;
   constexpr double kHeights = 4;
-  const double height = box.isEmpty() ? 1 : std::max(1e-3, box.sizes().maxCoeff());
-  camera.distance = kHeights * height;
+  camera.distance = std::max(kHeights * height, nearest + height);
   camera.focal_length = camera.pixels_per_unit * camera.distance;
   for (Frame& frame : document.frames) frame.scale = 1;
   return document;
@@ -129,7 +141,8 @@ Document with_camera_type(Document document, Camera::Type type) {
 namespace {
 std::vector<Contour>& contours_in(Document& document, int frame, int contour = 0) {
   std::vector<Contour>& contours = document.frames.at(frame).contours;
-  assert(contour >= 0 && (contour == 0 || contour < int(contours.size())));
+  ensure(contour >= 0 && (contour == 0 || contour < int(contours.size())),
+         "a contour of the frame");
   (void)contour;
   return contours;
 }

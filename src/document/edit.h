@@ -43,7 +43,7 @@ Document with_pose(Document document, int frame, Pose pose);
 // differ.
 Document with_poses_of(Document document, const Document& other);
 // The other kind of camera, which shows what stands at depth 0 as large as before; a perspective
-// one stands four figures' heights away.
+// one stands four figures' heights away, and before every joint.
 Document with_camera_type(Document document, Camera::Type type);
 
 // A pose that shows the rest pose upright within the middle of the frame: its root position.

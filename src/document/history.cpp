@@ -1,7 +1,8 @@
 #include "document/history.h"
 
 #include <atomic>
-#include <cassert>
+
+#include "base/ensure.h"
 
 namespace artisketch {
 namespace {
@@ -25,18 +26,18 @@ void History::commit(std::string name, Document next) {
 }
 
 void History::amend(Document next) {
-  assert(at_ > 0 && !can_redo());
+  ensure(at_ > 0 && !can_redo(), "an edit to take back");
   steps_[at_].document = std::make_shared<const Document>(std::move(next));
   steps_[at_].revision = next_revision();
 }
 
 void History::undo() {
-  assert(can_undo());
+  ensure(can_undo(), "an edit to undo");
   --at_;
 }
 
 void History::redo() {
-  assert(can_redo());
+  ensure(can_redo(), "an edit to redo");
   ++at_;
 }
 

@@ -1,10 +1,10 @@
 #include "document/mend.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "base/distance_field.h"
+#include "base/ensure.h"
 #include "document/line_fit.h"
 
 namespace artisketch {
@@ -148,7 +148,7 @@ std::optional<Polyline> joined(const Polyline& a, const Polyline& b, double reac
 }
 
 Polyline curve_through(std::span<const Vec2> points, std::span<const Vec2> handles, bool closed) {
-  assert(points.size() == handles.size());
+  ensure(points.size() == handles.size(), "a handle for every point");
   Polyline line{{}, closed};
   const std::size_t n = points.size();
   for (std::size_t i = 0; i < n; ++i) {

@@ -1,7 +1,8 @@
 #include "document/skeleton.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "base/ensure.h"
 
 namespace artisketch {
 
@@ -40,7 +41,7 @@ std::vector<Vec3> rest_positions(const Skeleton& skeleton) {
 }
 
 std::vector<Transform> posed_joints(const Skeleton& skeleton, const Pose& pose) {
-  assert(int(pose.rotations.size()) == skeleton.size());
+  ensure(int(pose.rotations.size()) == skeleton.size(), "a rotation for every joint");
   std::vector<Transform> posed(skeleton.size());
   for (int j = 0; j < skeleton.size(); ++j) {
     const Joint& joint = skeleton.joints[j];

@@ -1,9 +1,9 @@
 #include "document/skeleton_edit.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "base/ensure.h"
 #include "document/edit.h"
 
 namespace artisketch {
@@ -129,7 +129,7 @@ std::string unique_joint_name(const Skeleton& skeleton, const std::string& wante
 
 Document with_joint_added(Document document, int parent, Vec3 offset, bool mirrored) {
   Skeleton& skeleton = document.skeleton;
-  assert(parent >= 0 && parent < skeleton.size());
+  ensure(parent >= 0 && parent < skeleton.size(), "a joint of the skeleton");
   const int across = skeleton.joints[parent].mirror;
   const std::vector<Vec3> rest = rest_positions(skeleton);
   constexpr double kMiddle = 0.02;  // of the figure: nearer to its middle plane is on it
@@ -193,7 +193,7 @@ std::optional<Document> without_one(const Document& document, int joint) {
 }  // namespace
 
 std::optional<Document> without_joint(const Document& document, int joint, bool mirrored) {
-  assert(joint >= 0 && joint < document.skeleton.size());
+  ensure(joint >= 0 && joint < document.skeleton.size(), "a joint of the skeleton");
   const int mirror = document.skeleton.joints[joint].mirror;
   const bool both = mirrored && is_pair(document.skeleton, joint);
   std::optional<Document> next = without_one(document, both ? std::max(joint, mirror) : joint);
@@ -239,7 +239,7 @@ Document with_pair_lengths_equal(Document document, int joint) {
 }
 
 Document with_figure_scaled(Document document, double factor) {
-  assert(factor > 0);
+  ensure(factor > 0, "a factor above 0");
   std::vector<Joint>& joints = document.skeleton.joints;
   for (std::size_t j = 1; j < joints.size(); ++j) joints[j].offset *= factor;
   for (auto& [joint, sphere] : document.spheres) {

@@ -1,8 +1,9 @@
 #include "document/sprite_sheet.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+
+#include "base/ensure.h"
 
 namespace artisketch {
 namespace {
@@ -99,7 +100,8 @@ std::vector<Sprite> sprites_by_grid(int width, int height, int columns, int rows
 
 std::vector<std::uint8_t> cut_out(const Pixels& sheet, const Sprite& sprite) {
   const PixelBox &own = sprite.own, &place = sprite.drawing;
-  assert(own.x >= 0 && own.y >= 0 && own.right() <= sheet.width && own.bottom() <= sheet.height);
+  ensure(own.x >= 0 && own.y >= 0 && own.right() <= sheet.width && own.bottom() <= sheet.height,
+         "a sprite within its sheet");
   std::vector<std::uint8_t> rgba(4 * std::size_t(place.width) * place.height);
   for (int y = 0; y < place.height; ++y)
     for (int x = 0; x < place.width; ++x) {

@@ -1,9 +1,9 @@
 #include "document/templates.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "base/ensure.h"
 #include "document/edit.h"
 #include "document/skeleton_edit.h"
 
@@ -226,7 +226,7 @@ Pose pose_over(const Document& document, const Frame& frame, Pose pose, const Bo
 
 Document with_skeleton_fitted(Document document, int frame, const std::optional<Box2>& figure,
                               const FitOptions& options) {
-  assert(frame >= 0 && frame < int(document.frames.size()));
+  ensure(frame >= 0 && frame < int(document.frames.size()), "a frame of the document");
   Skeleton& skeleton = document.skeleton;
   const bool known = figure && !figure->isEmpty() && figure->sizes().minCoeff() > 1;
   const Box2 place = known ? *figure : middle_of(document.frames[frame]);

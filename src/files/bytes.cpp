@@ -2,11 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
+#include <deque>
+#include <memory>
+#include <set>
+#include <vector>
 
+#include <dirent.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -77,16 +87,105 @@ Result<Done> write_to_device(const std::string& path, std::string_view bytes) {
   return Done{};
 }
 
+// Beside its target, since rename works within one file system only, and goes where it isn't put in
+// place. Its name is short and says nothing of the target's, which may be as long as names can be.
+class Temporary {
+ public:
+  explicit Temporary(std::string target) : target_(std::move(target)) {
+    static std::atomic<unsigned> count = 0;
+    name_ = folder_of(target_) + "/" + kTemporary + std::to_string(::getpid()) + "-" +
+            std::to_string(++count) + kPart;
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  ~Temporary() {
+    if (written_) ::unlink(name_.c_str());
+  }
+  // Both leave errno where they fail.
+  bool write(std::string_view bytes, mode_t mode) {
+    ::unlink(name_.c_str());  // of a process that died, whose number we have now
+    Descriptor out(::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+    if (!out.open()) return false;
+    written_ = true;
+    return write_all(out.get(), bytes) && ::fsync(out.get()) == 0 && out.close();
+  }
+  bool put_in_place() {
+    if (::rename(name_.c_str(), target_.c_str()) != 0) return false;
+    written_ = false;
+    // The new name itself must reach the disk. Some file systems cannot sync folders: the file is
+    // whole all the same.
+    Descriptor folder(::open(folder_of(target_).c_str(), O_RDONLY | O_CLOEXEC));
+    if (folder.open()) ::fsync(folder.get());
+    return true;
+  }
+  static void sweep(const std::string& folder);
+
+ private:
+  static constexpr const char* kTemporary = ".artisketch-";
+  static constexpr const char* kPart = ".part";
+  std::string target_, name_;
+  bool written_ = false;
+};
+
+// Removes what killed processes left: old, and of a number that no process has. The age is for
+// folders that machines share.
+void Temporary::sweep(const std::string& folder) {
+  constexpr std::time_t kOld = 3600;  // seconds
+  const std::unique_ptr<DIR, int (*)(DIR*)> entries(::opendir(folder.c_str()), ::closedir);
+  while (const dirent* entry = entries ? ::readdir(entries.get()) : nullptr) {
+    const std::string_view name = entry->d_name;
+    if (!name.starts_with(kTemporary) || !name.ends_with(kPart)) continue;
+    const long process = std::atol(entry->d_name + std::strlen(kTemporary));
+    const std::string path = folder + "/" + entry->d_name;
+    struct stat is;
+    if (process <= 0 || ::stat(path.c_str(), &is) != 0 || !S_ISREG(is.st_mode)) continue;
+    if (std::time(nullptr) - is.st_mtime > kOld && ::kill(pid_t(process), 0) != 0 && errno == ESRCH)
+      ::unlink(path.c_str());
+  }
+}
+
+// Whether there is something to read, or the end; waits for what is no regular file.
+bool readable(int fd, int milliseconds) {
+  pollfd wanted{fd, POLLIN, 0};
+  int found = 0;
+  do found = ::poll(&wanted, 1, milliseconds);
+  while (found < 0 && errno == EINTR);
+  return found != 0;
+}
+
+std::string folder_words(const std::string& path) {
+  std::string words = path + ": is a folder; name the file in it that you mean";
+  const std::unique_ptr<DIR, int (*)(DIR*)> entries(::opendir(path.c_str()), ::closedir);
+  std::string first;
+  while (const dirent* entry = entries ? ::readdir(entries.get()) : nullptr) {
+    const std::string_view name = entry->d_name;
+    if (name.ends_with(".artisketch") && (first.empty() || name < first)) first = name;
+  }
+  return first.empty() ? words
+                       : words + ", like " + path + (path.ends_with('/') ? "" : "/") + first;
+}
+
 }  // namespace
 
 Result<std::string> read_file(const std::string& path) {
-  Descriptor in(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // Not to wait in open() for a pipe that nobody writes to.
+  Descriptor in(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!in.open()) return failure(path + ": cannot be read", errno);
+  struct stat is;
+  if (::fstat(in.get(), &is) != 0) return failure(path + ": cannot be read", errno);
+  if (S_ISDIR(is.st_mode)) return io_error(folder_words(path));
   std::string bytes;
   std::array<char, 1 << 16> chunk;
+  constexpr int kForAWriter = 1000, kForBytes = 60000;  // ms
+  // A pipe whose other end nobody has opened reads as empty; where somebody has, bytes may come.
+  if (S_ISFIFO(is.st_mode) && !readable(in.get(), kForAWriter) &&
+      ::read(in.get(), chunk.data(), 1) == 0)
+    return io_error(path + ": is a pipe that nobody writes to; name a file");
   for (;;) {
+    if (!S_ISREG(is.st_mode) && !readable(in.get(), kForBytes))
+      return io_error(path + ": is a pipe that brings nothing; name a file");
     const ssize_t n = ::read(in.get(), chunk.data(), chunk.size());
-    if (n < 0 && errno == EINTR) continue;
+    if (n < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (n < 0) return failure(path + ": cannot be read", errno);
     if (n == 0) return bytes;
     bytes.append(chunk.data(), std::size_t(n));
@@ -95,31 +194,50 @@ Result<std::string> read_file(const std::string& path) {
   }
 }
 
-Result<Done> write_file(const std::string& asked, std::string_view bytes) {
-  const std::string path = behind_links(asked);
-  struct stat old;
-  const bool exists = ::stat(path.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode))
-    return io_error(asked + ": is a folder; name a file inside it");
-  if (exists && !S_ISREG(old.st_mode)) return write_to_device(path, bytes);
-
-  // Beside the target, since rename works within one file system only.
-  const std::string temporary = path + ".part-" + std::to_string(::getpid());
-  const mode_t mode = exists ? old.st_mode & 0777 : 0666;
-  ::unlink(temporary.c_str());  // of a process that died, whose number we have now
-  Descriptor out(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
-  if (!out.open()) return failure(asked + ": cannot be written", errno);
-  if (!write_all(out.get(), bytes) || ::fsync(out.get()) != 0 || !out.close() ||
-      ::rename(temporary.c_str(), path.c_str()) != 0) {
-    const int code = errno;
-    ::unlink(temporary.c_str());
-    return failure(asked + ": cannot be written", code);
+Result<Done> write_files(std::span<const NewFile> files) {
+  std::deque<Temporary> ready;
+  std::vector<const NewFile*> of, devices;
+  std::set<std::string> folders;
+  for (const NewFile& file : files) {
+    const std::string path = behind_links(file.path);
+    struct stat old;
+    const bool exists = ::stat(path.c_str(), &old) == 0;
+    if (exists && S_ISDIR(old.st_mode))
+      return io_error(file.path + ": is a folder; name a file inside it");
+    if (exists && !S_ISREG(old.st_mode)) {
+      devices.push_back(&file);
+      continue;
+    }
+    if (folders.insert(folder_of(path)).second) Temporary::sweep(folder_of(path));
+    of.push_back(&file);
+    if (!ready.emplace_back(path).write(file.bytes, exists ? old.st_mode & 0777 : 0666))
+      return failure(file.path + ": cannot be written", errno);
   }
-  // The new name itself must reach the disk. Some file systems cannot sync folders: the file is
-  // whole all the same.
-  Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_CLOEXEC));
-  if (folder.open()) ::fsync(folder.get());
+  for (const NewFile* file : devices)
+    if (const Result<Done> written = write_to_device(file->path, file->bytes); !written)
+      return written;
+  for (std::size_t i = 0; i < ready.size(); ++i)
+    if (!ready[i].put_in_place()) return failure(of[i]->path + ": cannot be written", errno);
   return Done{};
+}
+
+Result<Done> write_file(const std::string& path, std::string_view bytes) {
+  const NewFile file{path, bytes};
+  return write_files({&file, 1});
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  struct stat of_a, of_b;
+  const bool is_a = ::stat(a.c_str(), &of_a) == 0, is_b = ::stat(b.c_str(), &of_b) == 0;
+  if (is_a != is_b) return false;
+  if (is_a)
+    return S_ISREG(of_a.st_mode) && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
+  const auto place = [](const std::string& path) {
+    const std::unique_ptr<char, void (*)(void*)> folder(
+        ::realpath(folder_of(path).c_str(), nullptr), std::free);
+    return (folder ? folder.get() : folder_of(path)) + "/" + path.substr(path.rfind('/') + 1);
+  };
+  return place(behind_links(a)) == place(behind_links(b));
 }
 
 std::string base64(std::string_view bytes) {

@@ -17,7 +17,6 @@ constexpr std::size_t kMostPoints = 20000;  // of one contour
 
 constexpr double kUnitSlack = 1e-3;    // a rotation further off unit length is a mistake
 constexpr double kUnitAsGiven = 1e-6;  // one closer to it is left as it is
-constexpr double kLeastArea = 0.01;    // pixels²; below, a closed contour encloses nothing to see
 
 constexpr Range kLength{-1e9, 1e9, "a number from -1e9 to 1e9"};
 constexpr Range kPositive{0, 1e9, "a number above 0, at most 1e9", true};
@@ -56,14 +55,13 @@ class Reader : JsonReader {
   void pose(const Json& value, const JsonPath& at, Pose& out);
   void rotation(const Json& value, const JsonPath& at, Quat& out);
   void contour(const Json& value, const JsonPath& at, const std::string& frame, Contour& out);
-  void check_line(const JsonPath& at, const std::string& whose, const Polyline& line);
+  void check_length(const JsonPath& at, const std::string& whose, const Polyline& line);
   void calibration(const Json& value, const JsonPath& at);
   void spheres(const Json& value, const JsonPath& at);
   void parts(const Json& value, const JsonPath& at);
   void animation(const Json& value, const JsonPath& at, std::size_t& keys);
   void motion(const Json& value, const JsonPath& at);
   void settings(const Json& value, const JsonPath& at);
-  void check_depths(const JsonPath& frames);
 
   Document document_;
   std::unordered_map<std::string, int> joints_;  // index by name; the first of equal names
@@ -71,17 +69,6 @@ class Reader : JsonReader {
 
 std::string frame_words(int index, const std::string& name) {
   return "frame " + std::to_string(index + 1) + (name.empty() ? "" : " " + in_quotes(name));
-}
-
-// The areas of all triangles between the first point and a side: nothing only where all points lie
-// on one line.
-double fan_area(const Polyline& line) {
-  double sum = 0;
-  for (std::size_t i = 1; i + 1 < line.points.size(); ++i) {
-    const Vec2 u = line.points[i] - line.points[0], v = line.points[i + 1] - line.points[0];
-    sum += std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
-  }
-  return sum;
 }
 
 bool Reader::joint(const Json& value, const JsonPath& at, int& out) {
@@ -146,7 +133,6 @@ Document Reader::read(const Json& json) {
   if (const Json* v = fields.find("motion")) motion(*v, root / "motion");
   if (const Json* v = fields.find("settings")) settings(*v, root / "settings");
   document_.unknown = fields.unknown();
-  if (faults_.none()) check_depths(frames);
   return std::move(document_);
 }
 
@@ -350,49 +336,18 @@ void Reader::contour(const Json& value, const JsonPath& at, const std::string& f
         points.push_back(point);
     }
     if (out.line.closed && points.size() > 1 && points.back() == points.front()) points.pop_back();
-    if (good) check_line(points_at, whose, out.line);
+    if (good) check_length(points_at, whose, out.line);
   }
   out.unknown = fields.unknown();
 }
 
-void Reader::check_line(const JsonPath& at, const std::string& whose, const Polyline& line) {
+void Reader::check_length(const JsonPath& at, const std::string& whose, const Polyline& line) {
   const std::size_t least = line.closed ? 3 : 2;
   if (line.points.size() < least)
-    return faults_.add(at, whose + " has " + std::to_string(line.points.size()) +
-                               (line.points.size() == 1 ? " point" : " different points") +
-                               "; should have at least " + std::to_string(least) +
-                               (line.closed ? ", as a closed line" : ", as an open line"));
-  if (!line.closed) return;
-  // A flat line crosses itself too, but those are not the words for it.
-  const auto crossing = fan_area(line) < kLeastArea ? std::nullopt : self_crossing(line);
-  if (crossing)
-    faults_.add(at, whose + " crosses itself near (" + std::to_string(std::lround(crossing->x())) +
-                        ", " + std::to_string(std::lround(crossing->y())) +
-                        "); should go round once without crossing");
-  else if (std::abs(signed_area(line)) < kLeastArea)
-    faults_.add(at, whose +
-                        " encloses nothing; should go round an area, or have "
-                        "\"closed\": false");
-}
-
-// In perspective, what is drawn must stand before the camera.
-void Reader::check_depths(const JsonPath& frames) {
-  if (document_.camera.type != Camera::Type::perspective) return;
-  for (std::size_t f = 0; f < document_.frames.size(); ++f) {
-    const Frame& frame = document_.frames[f];
-    const std::vector<Transform> posed = posed_joints(document_.skeleton, frame.pose);
-    std::set<int> drawn;
-    for (const Contour& contour : frame.contours) drawn.insert(contour.joint);
-    const JsonPath at = frames / f;
-    const auto behind = std::find_if(drawn.begin(), drawn.end(), [&](int j) {
-      return posed[j].translation().z() >= document_.camera.distance;
-    });
-    if (behind != drawn.end())
-      faults_.add(at / "pose", frame_words(int(f), frame.name) + ": " +
-                                   in_quotes(document_.skeleton.joints[*behind].name) +
-                                   " stands at or behind the camera; should have z below the "
-                                   "camera's distance: move root_position away");
-  }
+    faults_.add(at, whose + " has " + std::to_string(line.points.size()) +
+                        (line.points.size() == 1 ? " point" : " different points") +
+                        "; should have at least " + std::to_string(least) +
+                        (line.closed ? ", as a closed line" : ", as an open line"));
 }
 
 // ---------------------------------------------------------------- the rest
@@ -516,6 +471,20 @@ void Reader::settings(const Json& value, const JsonPath& at) {
   settings.unknown = fields.unknown();
 }
 
+// What the first bytes of a file that is no text say it is; none where they say nothing.
+const char* kind_of_bytes(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  constexpr std::pair<std::string_view, const char*> kKinds[] = {
+      {"\x89PNG"sv, "a PNG picture"}, {"\xff\xd8\xff"sv, "a JPEG picture"},
+      {"GIF8"sv, "a GIF picture"},    {"glTF"sv, "a model"},
+      {"PK\3\4"sv, "a ZIP archive"},  {"\x1f\x8b"sv, "a gzip archive"},
+      {"HIERARCHY"sv, "a motion"},    {"%PDF"sv, "a PDF"},
+  };
+  for (const auto& [begins, kind] : kKinds)
+    if (bytes.starts_with(begins)) return kind;
+  return nullptr;
+}
+
 }  // namespace
 
 Result<Document> parse_document(std::string_view json, const std::string& file) {
@@ -530,6 +499,10 @@ Result<Document> parse_document(std::string_view json, const std::string& file) 
 Result<Document> read_document(const std::string& path) {
   const Result<std::string> bytes = read_file(path);
   if (!bytes) return bytes.error();
+  if (const char* kind = kind_of_bytes(*bytes))
+    return bad_input(path + ": is " + kind +
+                     ", no sketch document; name the document (.artisketch) "
+                     "that goes with it");
   return parse_document(*bytes, path);
 }
 

@@ -14,9 +14,10 @@
 
 namespace artisketch {
 
-// Reads and checks every rule of FORMAT.md; all faults come in one Error, one line each:
-// "FILE: JSON-POINTER: what is wrong; what would be right", the first hundred of them. `file` is
-// used in those lines only.
+// Reads what FORMAT.md says a document is, half drawn as it may be (whether it can be worked on
+// asks files/document_check); all faults come in one Error, one line each: "FILE: JSON-POINTER:
+// what is wrong; what would be right", the first hundred of them. `file` is used in those lines
+// only.
 Result<Document> parse_document(std::string_view json, const std::string& file);
 Result<Document> read_document(const std::string& path);
 

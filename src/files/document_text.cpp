@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "base/ensure.h"
 #include "files/bytes.h"
 #include "files/document_file.h"
 #include "files/json.h"
@@ -38,7 +39,7 @@ Json with_unknown(Json object, const std::string& unknown) {
   if (unknown.empty()) return object;
   Faults ours("unknown fields");
   const std::optional<Json> rest = parse_json(unknown, ours);
-  assert(rest && rest->is_object());
+  ensure(rest && rest->is_object(), "fields that were read from an object");
   if (!rest || !rest->is_object()) return object;
   std::set<std::string> known;
   for (const auto& [name, value] : object.get_ref<const Json::object_t&>()) known.insert(name);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <sstream>
 
+#include "base/ensure.h"
 #include "files/image_file.h"
 #include "files/tinygltf_setup.h"
 
@@ -276,7 +276,7 @@ void add_scene(const Model& model, Builder& out) {
 }
 
 void add_clip(const Clip& clip, int joints, Builder& out) {
-  assert(clip.poses.size() == clip.times.size());
+  ensure(clip.poses.size() == clip.times.size(), "a time for every pose");
   tinygltf::Animation animation;
   animation.name = clip.name;
   const int times =
@@ -315,9 +315,11 @@ void add_clip(const Clip& clip, int joints, Builder& out) {
 }  // namespace
 
 Result<std::string> glb_bytes(const Model& model) {
-  assert(model.skeleton.size() > 0 && model.skeleton.size() <= 65536);
-  assert(model.weights.joints.rows() == model.mesh.V.rows());
-  assert(!model.texture || Eigen::Index(model.texcoords.size()) == model.mesh.V.rows());
+  ensure(model.skeleton.size() > 0 && model.skeleton.size() <= 65536,
+         "joints that 16 bits can count");
+  ensure(model.weights.joints.rows() == model.mesh.V.rows(), "weights for every vertex");
+  ensure(!model.texture || Eigen::Index(model.texcoords.size()) == model.mesh.V.rows(),
+         "a texture coordinate for every vertex");
   if (const std::string why = trouble(model); !why.empty())
     return bad_input(why + ": nothing can be written");
   Builder out;

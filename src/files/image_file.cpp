@@ -1,10 +1,11 @@
 #include "files/image_file.h"
 
 #include <algorithm>
-#include <cassert>
+#include <array>
 #include <cstdlib>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include <zlib.h>
 
@@ -22,6 +23,17 @@ unsigned char* compressed(unsigned char* data, int size, int* out_size, int qual
   return out;
 }
 
+// The most that stb may take at once while it decodes, set from the size that an image says it has:
+// a few bytes may inflate to gigabytes of rows that no image has.
+thread_local std::size_t most_at_once = 0;
+
+void* taken(std::size_t size) {
+  return size <= most_at_once ? std::malloc(size) : nullptr;
+}
+void* taken_again(void* old, std::size_t size) {
+  return size <= most_at_once ? std::realloc(old, std::max<std::size_t>(size, 1)) : nullptr;
+}
+
 }  // namespace
 
 // The one place that holds stb's code, for itself alone.
@@ -33,6 +45,9 @@ unsigned char* compressed(unsigned char* data, int size, int* out_size, int qual
 #define STBI_NO_STDIO
 #define STBI_NO_LINEAR
 #define STBI_FAILURE_USERMSG
+#define STBI_MALLOC(size) taken(size)
+#define STBI_REALLOC(old, size) taken_again(old, size)
+#define STBI_FREE(old) std::free(old)
 #include <stb/stb_image.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
@@ -40,13 +55,15 @@ unsigned char* compressed(unsigned char* data, int size, int* out_size, int qual
 #define STBI_WRITE_NO_STDIO
 #include <stb/stb_image_write.h>
 
+#include "base/ensure.h"
 #include "files/bytes.h"
 
 namespace artisketch {
 namespace {
 
-constexpr int kLargestSide = 16384;             // as a frame may be
-constexpr long long kMostPixels = 100'000'000;  // 400 MB, five times a good camera's picture
+constexpr int kLargestSide = 16384;                  // as a frame may be
+constexpr long long kMostPixels = 100'000'000;       // 400 MB, five times a good camera's picture
+constexpr long long kMostPixelsInAll = 250'000'000;  // of a document's drawings: 1 GB
 
 // stb's numbers for how a row is predicted from the one before.
 constexpr int kBestOfFilters = -1, kNoFilter = 0;
@@ -66,7 +83,7 @@ std::string png_of_rows(const std::uint8_t* rows, int width, int height, int cha
   return bytes;
 }
 
-std::string size_words(int width, int height) {
+std::string size_words(std::uint32_t width, std::uint32_t height) {
   return std::to_string(width) + " × " + std::to_string(height);
 }
 
@@ -92,22 +109,129 @@ Error unreadable(const std::string& name, const std::string& why) {
   return bad_input(name + ": " + why + "; save it again as PNG or JPEG");
 }
 
+Error too_large(const std::string& name, std::uint32_t width, std::uint32_t height) {
+  return bad_input(name + ": has " + size_words(width, height) +
+                   " pixels, too many (16384 a side, 100 million in all): make it smaller");
+}
+
+std::uint32_t big_endian(std::string_view bytes, std::size_t at, int count) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < count; ++i)
+    value = value << 8 | (at + i < bytes.size() ? std::uint8_t(bytes[at + i]) : 0u);
+  return value;
+}
+
+bool is_png(std::string_view bytes) {
+  return bytes.starts_with("\x89PNG\r\n\x1a\n");
+}
+bool is_jpeg(std::string_view bytes) {
+  return bytes.starts_with("\xff\xd8\xff");
+}
+
+std::optional<std::array<std::uint32_t, 2>> png_size(std::string_view bytes) {
+  if (!is_png(bytes) || bytes.substr(12, 4) != "IHDR") return std::nullopt;
+  return std::array{big_endian(bytes, 16, 4), big_endian(bytes, 20, 4)};
+}
+
+// What a PNG keeps in the first chunk of that name; empty where there is none.
+std::string_view png_chunk(std::string_view bytes, std::string_view kind) {
+  for (std::size_t at = 8; at + 8 <= bytes.size();) {
+    const std::size_t length = big_endian(bytes, at, 4);
+    if (bytes.substr(at + 4, 4) == kind) return bytes.substr(at + 8, length);
+    at += 12 + length;
+  }
+  return {};
+}
+
+// What stands behind `begins` in the first of a JPEG's segments of that kind that begins so.
+std::string_view jpeg_segment(std::string_view bytes, std::uint8_t kind, std::string_view begins) {
+  constexpr std::uint8_t kScan = 0xDA;
+  for (std::size_t at = 2; at + 4 <= bytes.size() && std::uint8_t(bytes[at]) == 0xFF;) {
+    const std::uint8_t found = std::uint8_t(bytes[at + 1]);
+    if (found == 0xFF) {  // one that fills
+      ++at;
+      continue;
+    }
+    const std::size_t length = big_endian(bytes, at + 2, 2);  // with itself
+    if (found == kScan || length < 2) break;
+    const std::string_view body = bytes.substr(at + 4, length - 2);
+    if (found == kind && body.starts_with(begins)) return body.substr(begins.size());
+    at += 2 + length;
+  }
+  return {};
+}
+
+// Which way up a camera or a program says that its picture is to be seen: 1 to 8 as of Exif 2.3,
+// section 4.6.4 A; 1 is as stored.
+int orientation(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  const std::string_view exif = is_png(bytes)    ? png_chunk(bytes, "eXIf")
+                                : is_jpeg(bytes) ? jpeg_segment(bytes, 0xE1, "Exif\0\0"sv)
+                                                 : std::string_view();
+  const bool little = exif.starts_with("II*\0"sv);
+  if (!little && !exif.starts_with("MM\0*"sv)) return 1;
+  const auto number = [&](std::size_t at, int count) {
+    std::uint32_t value = 0;
+    for (int i = 0; i < count; ++i) {
+      const std::size_t byte = at + std::size_t(little ? count - 1 - i : i);
+      value = value << 8 | (byte < exif.size() ? std::uint8_t(exif[byte]) : 0u);
+    }
+    return value;
+  };
+  constexpr std::uint32_t kOrientation = 0x0112;
+  const std::size_t directory = number(4, 4);
+  const std::uint32_t entries = number(directory, 2);
+  for (std::uint32_t e = 0; e < entries; ++e) {
+    const std::size_t at = directory + 2 + 12 * std::size_t(e);
+    if (at + 12 > exif.size()) break;
+    if (number(at, 2) != kOrientation) continue;
+    const std::uint32_t value = number(at + 8, 2);
+    return value >= 1 && value <= 8 ? int(value) : 1;
+  }
+  return 1;
+}
+
+Image upright(Image image, int orientation) {
+  if (orientation == 1) return image;
+  const bool lies = orientation >= 5;  // rows become columns
+  Image out(lies ? image.height : image.width, lies ? image.width : image.height);
+  const int right = image.width - 1, bottom = image.height - 1;
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x) {
+      int u = lies ? y : x, v = lies ? x : y;
+      if (orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8)
+        u = right - u;
+      if (orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7)
+        v = bottom - v;
+      std::copy_n(image.at(u, v), 4, out.at(x, y));
+    }
+  return out;
+}
+
 // The size of an image that can be read; `pictures` of it are wanted.
 struct Sides {
   int width = 0, height = 0;
 };
 Result<Sides> sides_of(std::string_view bytes, const std::string& name, long long pictures) {
+  constexpr std::size_t kToReadHeaders = 1 << 20;
+  most_at_once = kToReadHeaders;
   if (bytes.size() > std::size_t(INT32_MAX)) return unreadable(name, "is larger than 2 GB");
   Sides sides;
   int channels = 0;
+  // stb takes a PNG of a size that it can't hold for none at all.
+  if (const std::optional<std::array<std::uint32_t, 2>> png = png_size(bytes))
+    if (std::max((*png)[0], (*png)[1]) > std::uint32_t(kLargestSide))
+      return too_large(name, (*png)[0], (*png)[1]);
   if (!stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), int(bytes.size()),
                              &sides.width, &sides.height, &channels))
     return unreadable(name, "is no PNG or JPEG image");
   if (sides.width > kLargestSide || sides.height > kLargestSide ||
       pictures * sides.width * sides.height > kMostPixels)
-    return unreadable(name, "has " + size_words(sides.width, sides.height) +
-                                " pixels, too many (16384 a side, 100 million in "
-                                "all): make it smaller");
+    return too_large(name, sides.width, sides.height);
+  // 16 bits a channel inflate to 8 bytes a pixel, in buffers that grow by doubling; as many again
+  // for what is small beside its own tables.
+  constexpr std::size_t kLeast = 16 << 20, kPerPixel = 17;
+  most_at_once = kLeast + kPerPixel * std::size_t(pictures * sides.width * sides.height);
   return sides;
 }
 
@@ -145,7 +269,23 @@ Result<Image> decode_image(std::string_view bytes, const std::string& name) {
   if (!pixels) return unreadable(name, "is damaged (" + std::string(stbi_failure_reason()) + ")");
   Image image(width, height);
   std::copy_n(pixels.get(), image.rgba.size(), image.rgba.begin());
-  return image;
+  return upright(std::move(image), orientation(bytes));
+}
+
+std::string colour_profile(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  std::string name;
+  if (is_png(bytes)) {
+    const std::string_view profile = png_chunk(bytes, "iCCP");
+    name = profile.substr(0, std::min<std::size_t>(profile.find('\0'), 79));
+  } else if (is_jpeg(bytes)) {
+    const std::string_view profile = jpeg_segment(bytes, 0xE2, "ICC_PROFILE\0"sv);
+    if (profile.empty() || profile.find("sRGB") != profile.npos) return "";
+    // In UTF-16, as profiles since version 4 keep their names.
+    if (profile.find("s\0R\0G\0B"sv) != profile.npos) return "";
+    name = "of its own";
+  }
+  return name.find("sRGB") == name.npos ? name : "";
 }
 
 bool is_gif(std::string_view bytes) {
@@ -160,25 +300,38 @@ Result<std::vector<Image>> decode_images(std::string_view bytes, const std::stri
   }
   const Result<Sides> sides = sides_of(bytes, name, gif_pictures(bytes));
   if (!sides) return sides.error();
-  int width = 0, height = 0, count = 0, channels = 0;
-  int* delays = nullptr;
-  const StbBytes pixels(
-      stbi_load_gif_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), int(bytes.size()),
-                                &delays, &width, &height, &count, &channels, 4),
-      stbi_image_free);
-  const StbBytes freed(reinterpret_cast<stbi_uc*>(delays), stbi_image_free);
-  if (!pixels || count < 1)
-    return unreadable(name, "is damaged (" + std::string(stbi_failure_reason()) + ")");
+  // Picture by picture: stb's own loop reads before its memory for a picture that is to be undone
+  // once seen.
+  struct Gif : stbi__gif {
+    Gif() : stbi__gif{} {}
+    ~Gif() {
+      for (stbi_uc* one : {out, background, history}) stbi_image_free(one);
+    }
+  } gif;
+  stbi__context context;
+  stbi__start_mem(&context, reinterpret_cast<const stbi_uc*>(bytes.data()), int(bytes.size()));
   std::vector<Image> images;
-  for (int i = 0; i < count; ++i) {
-    Image& image = images.emplace_back(width, height);
-    std::copy_n(pixels.get() + i * image.rgba.size(), image.rgba.size(), image.rgba.begin());
+  for (;;) {
+    int channels = 0;
+    stbi_uc* const two_back = images.size() < 2 ? nullptr : images[images.size() - 2].rgba.data();
+    const stbi_uc* const pixels = stbi__gif_load_next(&context, &gif, &channels, 4, two_back);
+    if (!pixels || pixels == reinterpret_cast<const stbi_uc*>(&context))
+      break;  // damage, or the end
+    if (gif.w != sides->width || gif.h != sides->height) break;
+    Image& image = images.emplace_back(gif.w, gif.h);
+    std::copy_n(pixels, image.rgba.size(), image.rgba.begin());
+  }
+  if (images.empty()) {
+    const char* const why = stbi_failure_reason();
+    return unreadable(name, std::string("is damaged (") + (why ? why : "no picture in it") + ")");
   }
   return images;
 }
 
 std::string png_bytes(const Image& image) {
-  assert(image.width > 0 && image.height > 0);
+  ensure(image.width > 0 && image.height > 0 &&
+             image.rgba.size() == 4 * std::size_t(image.width) * image.height,
+         "a picture has pixels");
   const int pixels = image.width * image.height;
   bool opaque = true;
   for (int i = 0; opaque && i < pixels; ++i) opaque = image.rgba[4 * std::size_t(i) + 3] == 255;
@@ -208,6 +361,34 @@ std::string png_bytes(const Image& image) {
                      filtered ? kBestOfFilters : kNoFilter);
 }
 
+bool leaves_folder(const std::string& image) {
+  if (image.starts_with("data:")) return false;
+  int depth = 0;
+  for (std::size_t at = 0; at <= image.size();) {
+    const std::size_t end = std::min(image.find('/', at), image.size());
+    const std::string_view step = std::string_view(image).substr(at, end - at);
+    depth += step == ".." ? -1 : step == "." || step.empty() ? 0 : 1;
+    if (depth < 0) return true;
+    at = end + 1;
+  }
+  return image.starts_with('/');
+}
+
+std::vector<std::string> drawing_words(const Document& document, const std::string& path) {
+  std::vector<std::string> words;
+  for (const Frame& frame : document.frames) {
+    if (frame.image.empty()) continue;
+    const std::string whose = path + ": the image of frame '" + frame.name + "' ";
+    if (leaves_folder(frame.image))
+      words.push_back(whose + "lies outside the document's folder: " + frame.image);
+    const Result<std::string> bytes = image_bytes(frame.image, path);
+    if (const std::string profile = bytes ? colour_profile(*bytes) : ""; !profile.empty())
+      words.push_back(whose + "has a colour profile (" + profile +
+                      "), which is not used: its colours are taken as sRGB");
+  }
+  return words;
+}
+
 Result<Image> load_frame_image(const Frame& frame, const std::string& document_path) {
   if (frame.image.empty()) return Image();
   const std::string whose = document_path + ": the image of frame '" + frame.name + "'";
@@ -226,10 +407,29 @@ Result<Image> load_frame_image(const Frame& frame, const std::string& document_p
 std::vector<Image> load_drawings(const Document& document, const std::string& document_path,
                                  std::vector<std::string>& warnings) {
   std::vector<Image> drawings;
-  for (const Frame& frame : document.frames) {
+  long long pixels = 0;
+  for (std::size_t f = 0; f < document.frames.size(); ++f) {
+    const Frame& frame = document.frames[f];
+    drawings.emplace_back();
+    if (frame.image.empty()) continue;
+    // Frames say their drawings' sizes: what is too much isn't even read.
+    pixels += (long long)frame.width * frame.height;
+    if (pixels > kMostPixelsInAll) {
+      warnings.push_back(document_path + ": the image of frame '" + frame.name +
+                         "': the drawings have more than 250 million pixels in all; make them "
+                         "smaller; the model goes without its colours");
+      continue;
+    }
+    std::size_t same = 0;
+    while (same < f && (document.frames[same].image != frame.image || drawings[same].rgba.empty()))
+      ++same;
+    if (same < f && drawings[same].width == frame.width && drawings[same].height == frame.height) {
+      drawings.back() = drawings[same];
+      continue;
+    }
     Result<Image> image = load_frame_image(frame, document_path);
     if (!image) warnings.push_back(image.error().text() + "; the model goes without its colours");
-    drawings.push_back(image ? std::move(*image) : Image());
+    if (image) drawings.back() = std::move(*image);
   }
   return drawings;
 }

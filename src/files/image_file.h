@@ -22,13 +22,17 @@ struct Image {
   const std::uint8_t* at(int x, int y) const { return &rgba[4 * (std::size_t(y) * width + x)]; }
 };
 
-// Fails on what is no PNG or JPEG, is damaged, or has more than 16384 pixels a side or 100 million
-// in all. `name` is used in the error only.
+// The image as it is to be seen: turned as its Exif orientation says, 8 bits a channel. Fails on
+// what is no PNG or JPEG, is damaged (or inflates to more than its size can need), or has more than
+// 16384 pixels a side or 100 million in all. `name` is used in the error only.
 Result<Image> decode_image(std::string_view bytes, const std::string& name);
 
 // The same for several: a GIF's frames as they are seen, one after the other; else the one image.
 Result<std::vector<Image>> decode_images(std::string_view bytes, const std::string& name);
 bool is_gif(std::string_view bytes);
+
+// The name of an image's colour profile where that isn't sRGB; empty without one.
+std::string colour_profile(std::string_view bytes);
 
 // The image must have pixels. Alpha is left out where all is opaque.
 std::string png_bytes(const Image& image);
@@ -38,7 +42,15 @@ std::string png_bytes(const Image& image);
 // the frame's size.
 Result<Image> load_frame_image(const Frame& frame, const std::string& document_path);
 
-// The drawings of all frames: an empty one, and the reason in `warnings`, where one cannot be read.
+// Whether a frame's image is a path that climbs out of its document's folder.
+bool leaves_folder(const std::string& image);
+
+// What a person should know of a document's drawings: those outside its folder, and colour profiles
+// that are not used.
+std::vector<std::string> drawing_words(const Document& document, const std::string& document_path);
+
+// The drawings of all frames: an empty one, and the reason in `warnings`, where one cannot be read
+// or all before it have 250 million pixels. An image that several frames name is decoded once.
 std::vector<Image> load_drawings(const Document& document, const std::string& document_path,
                                  std::vector<std::string>& warnings);
 

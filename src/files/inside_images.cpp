@@ -4,6 +4,7 @@
 
 #include "files/bytes.h"
 #include "files/document_file.h"
+#include "files/image_file.h"
 
 namespace artisketch {
 
@@ -17,9 +18,15 @@ Result<std::string> with_images_inside(std::string_view text, const std::string&
   if (!document) return document.error();
   for (Frame& frame : document->frames) {
     if (frame.image.empty() || frame.image.starts_with("data:")) continue;
+    const std::string whose = path + ": the image of frame '" + frame.name + "'";
+    if (leaves_folder(frame.image))
+      return bad_input(whose + " lies outside the document's folder: " + frame.image +
+                       "; put it beside the document, or add it to the drawings here");
     const std::filesystem::path beside = std::filesystem::path(path).parent_path() / frame.image;
     const Result<std::string> image = read_file(beside.string());
     if (!image) return image.error();
+    // Nothing but pictures goes into a document that may be sent on.
+    if (const Result<Image> decoded = decode_image(*image, whose); !decoded) return decoded.error();
     frame.image = data_uri(*image);
   }
   return document_text(*document);

@@ -1,12 +1,14 @@
 #include "app/cli.h"
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -80,11 +82,12 @@ TEST_F(CommandLine, EveryFaultOfADocumentIsNamedAndNothingIsWritten) {
   };
   for (const auto& c : cases) {
     const std::string in = write("bad.artisketch", c.text);
-    for (const std::string verb : {"reconstruct", "calibrate"}) {
-      EXPECT_EQ(run({verb, in, "-o", path("out.glb")}), 1) << c.text;
+    for (const auto& [verb, to] :
+         {std::pair("reconstruct", "out.glb"), std::pair("calibrate", "out.artisketch")}) {
+      EXPECT_EQ(run({verb, in, "-o", path(to)}), 1) << c.text;
       EXPECT_NE(err.find(c.says), std::string::npos) << err;
       EXPECT_NE(err.find("bad.artisketch"), std::string::npos) << err;
-      EXPECT_FALSE(fs::exists(path("out.glb")));
+      EXPECT_FALSE(fs::exists(path(to)));
     }
     EXPECT_EQ(run({"check", in}), 1);
   }
@@ -153,6 +156,180 @@ TEST_F(CommandLine, AFailedRunLeavesTheOldResult) {
   EXPECT_EQ(run({"reconstruct", write("bad.artisketch", "{"), "-o", path("out.glb")}), 1);
   EXPECT_EQ(read_file(path("out.glb")).value(), "precious");
 }
+
+TEST_F(CommandLine, WhatIsReadIsNeverReplaced) {
+  const fs::path circles = folder_ / "circles";
+  fs::copy(fs::path(kCircles).parent_path(), circles);
+  const std::string in = (circles / "circles.artisketch").string();
+  std::string drawing;
+  for (const fs::directory_entry& entry : fs::directory_iterator(circles))
+    if (entry.path().extension() == ".png") drawing = entry.path().string();
+  ASSERT_FALSE(drawing.empty());
+  fs::create_symlink(drawing, path("link.png"));
+  const std::string before = *read_file(drawing), document_before = *read_file(in);
+  for (const std::string& preview : {drawing, path("link.png")}) {
+    EXPECT_EQ(run({"reconstruct", in, "-o", path("x.glb"), "--preview", preview}), 2);
+    EXPECT_NE(err.find("would replace what is read"), std::string::npos) << err;
+  }
+  EXPECT_EQ(run({"reconstruct", in, "-o", path("x.glb"), "--calibrated", in}), 2);
+  EXPECT_EQ(run({"calibrate", in, "-o", in}), 2);
+  EXPECT_EQ(
+      run({"reconstruct", in, "-o", path("x.glb"), "--report", path("r"), "--preview", path("r")}),
+      2);
+  EXPECT_NE(err.find("is the file of --report, too"), std::string::npos) << err;
+  EXPECT_EQ(*read_file(drawing), before);
+  EXPECT_EQ(*read_file(in), document_before);
+  EXPECT_FALSE(fs::exists(path("x.glb")));
+}
+
+TEST_F(CommandLine, AnEndingOfAnotherKindIsRefused) {
+  const std::vector<std::vector<std::string>> wrong = {
+      {"reconstruct", kCircles, "-o", path("c.glb"), "--preview", path("p.jpg")},
+      {"reconstruct", kCircles, "-o", path("c.glb"), "--report", path("r.glb")},
+      {"reconstruct", kCircles, "-o", path("c.glb"), "--calibrated", path("c.PNG")},
+      {"calibrate", kCircles, "-o", path("c.glb")},
+      {"render", kCircles, "-o", path("r.jpg")}};
+  for (const auto& arguments : wrong) {
+    EXPECT_EQ(run(arguments), 2);
+    EXPECT_NE(err.find("wanted a file that ends in"), std::string::npos) << err;
+  }
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(CommandLine, AWrongWordIsAnsweredWithTheRightOne) {
+  const struct {
+    std::vector<std::string> arguments;
+    const char* says;
+  } cases[] = {
+      {{"recon", "x.artisketch"}, "no such verb; did you mean reconstruct?"},
+      {{"chekc", "x"}, "did you mean check?"},
+      {{"paint"}, "The verbs are reconstruct, calibrate, check and render"},
+      {{kCircles}, "reconstruct "},
+      {{"version"}, "did you mean artisketch --version?"},
+      {{"reconstruct", kCircles, "-o", "x.glb", "--gird", "64"},
+       "no option --gird; did you mean --grid?"},
+      {{"check", kCircles, kHero}, "what is to be done with"},
+  };
+  for (const auto& c : cases) {
+    EXPECT_EQ(run(c.arguments), 2) << c.says;
+    EXPECT_NE(err.find(c.says), std::string::npos) << err;
+  }
+  const std::string picture = write("front.png", "\x89PNG\r\n\x1a\n and so on");
+  EXPECT_EQ(run({"check", picture}), 1);
+  EXPECT_NE(err.find("is a PNG picture, no sketch document"), std::string::npos) << err;
+  EXPECT_EQ(run({"check", fs::path(kHero).parent_path().string()}), 1);
+  EXPECT_NE(err.find("hero.artisketch"), std::string::npos) << err;
+}
+
+TEST_F(CommandLine, AnglesAreNumbers) {
+  for (const char* angle : {"nan", "inf", "-inf", "1e400", "east", ""})
+    for (const char* option : {"--yaw", "--pitch"})
+      EXPECT_EQ(run({"render", "x.glb", "-o", path("r.png"), option, angle}), 2) << angle;
+}
+
+// What reconstruct can't work on, check says; but both read it: half a drawing is a document.
+TEST_F(CommandLine, CheckFindsWhatReconstructFailsAt) {
+  const std::string outline = "[[10,10],[90,10],[50,90]]";
+  const std::string one = R"({"joint":"body","points":)" + outline + "}";
+  const std::string line = R"({"joint":"body","closed":false,"points":)" + outline + "}";
+  const std::string turned = R"({"joint":"body","points":[[50,90],[10,10],[90,10]]})";
+  const auto with = [&](const std::string& contours) {
+    return document(
+        "1", R"("body")", "",
+        R"([{"name":"front","size":[100,100],"pose":{"root_position":[0,0,0]},"contours":[)" +
+            contours + "]}]");
+  };
+  const struct {
+    std::string contours;
+    const char* says;
+  } cases[] = {{"", "no closed contour"},
+               {line, "no closed contour"},
+               {one + "," + one, "cancel out"},
+               {one + "," + turned, "cancel out"}};
+  for (const auto& c : cases) {
+    const std::string in = write("odd.artisketch", with(c.contours));
+    EXPECT_EQ(run({"check", in}), 1);
+    EXPECT_NE(err.find(c.says), std::string::npos) << err;
+    EXPECT_NE(err.find("odd.artisketch: /frames"), std::string::npos) << err;
+    EXPECT_EQ(run({"reconstruct", in, "-o", path("x.glb")}), 1);
+    EXPECT_NE(err.find(c.says), std::string::npos) << err;
+  }
+  EXPECT_EQ(run({"check", write("good.artisketch", with(one + "," + line))}), 0) << err;
+}
+
+TEST_F(CommandLine, MotionIsSaidToBeLeftOutOfASurface) {
+  EXPECT_EQ(run({"reconstruct", kCircles, "-o", path("c.obj"), "--motion", "walk.bvh", "--grid",
+                 "16", "--no-texture"}),
+            0)
+      << err;
+  EXPECT_NE(err.find("--motion walk.bvh: is left out"), std::string::npos) << err;
+}
+
+TEST_F(CommandLine, AFailedRunLeavesTheSideOutputsToo) {
+  write("r.json", "precious");
+  write("p.png", "precious");
+  fs::create_symlink("/dev/full", path("c.glb"));
+  EXPECT_EQ(run({"reconstruct", kCircles, "-o", path("c.glb"), "--grid", "16", "--no-texture",
+                 "--report", path("r.json"), "--preview", path("p.png")}),
+            3);
+  EXPECT_EQ(*read_file(path("r.json")), "precious");
+  EXPECT_EQ(*read_file(path("p.png")), "precious");
+}
+
+// The program in a process of its own, with less of something than it needs; its exit status.
+class Limited : public CommandLine {
+ protected:
+  int run_with(int resource, rlim_t limit, const std::vector<std::string>& arguments) {
+    const std::string said = path("said");
+    const pid_t child = fork();
+    if (child == 0) {
+      const rlimit limits{limit, limit};
+      if (!freopen(said.c_str(), "w", stderr) || !freopen("/dev/null", "w", stdout)) _exit(126);
+      setrlimit(__rlimit_resource(resource), &limits);
+      std::vector<char*> argv{const_cast<char*>("artisketch")};
+      for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+      argv.push_back(nullptr);
+      execv(ARTISKETCH_CLI, argv.data());
+      _exit(127);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    err = *read_file(said);
+    fs::remove(said);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+};
+
+TEST_F(Limited, AFileThatMayNotGrowIsAnError) {
+  EXPECT_EQ(
+      run_with(RLIMIT_FSIZE, 10000,
+               {"reconstruct", kCircles, "-o", path("c.glb"), "--grid", "24", "--no-texture"}),
+      3);
+  EXPECT_NE(err.find("c.glb: cannot be written: File too large"), std::string::npos) << err;
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+#if !defined(__SANITIZE_ADDRESS__)  // which takes terabytes of addresses
+TEST_F(Limited, TooLittleMemoryIsAnErrorThatSaysWhatToDo) {
+  EXPECT_EQ(run_with(RLIMIT_AS, 120 << 20,
+                     {"reconstruct", kHero, "-o", path("h.glb"), "--grid", "400", "--no-texture",
+                      "--no-calibrate", "--quiet"}),
+            1);
+  EXPECT_NE(err.find("not enough memory for a grid of 400; try 266"), std::string::npos) << err;
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+// FORMAT.md, "Limits": 250 MB, and per part 6 bytes times (grid + 5)³; the drawings are left out.
+TEST_F(Limited, MemoryStaysWithinWhatFormatPromises) {
+  const double grid = 64, parts = 15;
+  const double bound = 250e6 + 6 * parts * std::pow(grid + 5, 3);
+  EXPECT_EQ(run_with(RLIMIT_AS, rlim_t(bound),
+                     {"reconstruct", kHero, "-o", path("h.glb"), "--grid", "64", "--no-texture",
+                      "--no-calibrate", "--quiet"}),
+            0)
+      << err;
+}
+#endif
 
 TEST_F(CommandLine, CtrlCStopsItAndLeavesNoFile) {
   const std::string out_path = path("hero.glb");

@@ -204,7 +204,8 @@ TEST(Job, WhatIsThrownBecomesWords) {
 
 TEST(Job, LackOfMemorySuggestsACoarserGridWhileThereIsOne) {
   EXPECT_NE(out_of_memory(96).text().find("try 64"), std::string::npos);
-  EXPECT_EQ(out_of_memory(32).text().find("try"), std::string::npos);
+  EXPECT_NE(out_of_memory(32).text().find("try smaller drawings"), std::string::npos);
+  EXPECT_EQ(out_of_memory({}).text().find("grid"), std::string::npos);
 }
 
 }  // namespace

@@ -169,6 +169,20 @@ TEST(Frames, TheOtherCameraShowsDepthZeroAsLarge) {
   EXPECT_NEAR(back.camera.pixels_per_unit, flat.camera.pixels_per_unit, 1e-9);
 }
 
+TEST(Camera, StandsBeforeWhatIsDrawnAndEveryJoint) {
+  Document one;  // whose skeleton has no height
+  one.camera.pixels_per_unit = 100;
+  one.skeleton.joints.emplace_back().name = "heart";
+  one.frames.resize(1);
+  one.frames[0].width = one.frames[0].height = 400;
+  one.frames[0].pose = rest_pose(one.skeleton);
+  one.frames[0].contours.push_back({0, circle({200, 200}, 100), ""});
+  EXPECT_NEAR(with_camera_type(one, Camera::Type::perspective).camera.distance, 8, 0.1);
+  one.frames[0].pose.root_position.z() = 50;
+  const Document deep = with_camera_type(one, Camera::Type::perspective);
+  EXPECT_TRUE(frame_camera(deep, 0).in_front({0, 0, 50}));
+}
+
 TEST(Join, TheOtherOutlineGoes) {
   Document document = figure();
   document = with_contour(document, 0, {1, circle({100, 100}, 20), ""});

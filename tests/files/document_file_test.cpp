@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "files/bytes.h"
+#include "files/document_check.h"
 
 namespace artisketch {
 namespace {
@@ -49,7 +50,9 @@ std::string spoilt(const std::string& from, const std::string& to) {
 
 std::vector<std::string> faults_of(const std::string& text) {
   const Result<Document> read = parse_document(text, "F");
-  return read ? std::vector<std::string>{} : read.error().faults;
+  if (!read) return read.error().faults;
+  const Result<Done> sound = check_document(*read, "F");
+  return sound ? std::vector<std::string>{} : sound.error().faults;
 }
 
 // With one thing spoilt there is exactly one fault, and it reads like this.

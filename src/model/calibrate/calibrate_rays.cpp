@@ -323,8 +323,13 @@ Result<Calibration> calibrate_rays(const Document& document, Run& run) {
   Calibration result;
   const RayResiduals residuals = RayResiduals(document, kRayStep, kMostRays).thinned();
   const PoseFreedom freedom = freedom_of(document, result.warnings);
-  const double shift = kPriorShare * freedom.max_translation;
-  const PosePrior widest{kPriorShare * freedom.max_rotation, shift, shift, kPriorScale};
+  // A limit of nothing is a prior of next to nothing: widths are divided by.
+  constexpr double kLeastTurn = 1e-6;   // radians
+  constexpr double kLeastShift = 1e-3;  // pixels
+  const double shift =
+      kPriorShare * std::max(freedom.max_translation, kLeastShift * pixel_size(document));
+  const PosePrior widest{kPriorShare * std::max(freedom.max_rotation, kLeastTurn), shift, shift,
+                         kPriorScale};
   PoseSolver solver(document, residuals, freedom, widest, run);
   const PoseChange user = no_change(document);
   solver.narrow_prior(user);

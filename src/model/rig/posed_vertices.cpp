@@ -1,11 +1,13 @@
 // Linear blend skinning, as viewers of glTF do it.
+#include "base/ensure.h"
 #include "model/stages.h"
 
 namespace artisketch {
 
 Points3 posed_vertices(const Points3& V, const Weights& weights, const Skeleton& skeleton,
                        const Pose& pose) {
-  assert(weights.joints.rows() == V.rows() && weights.weights.rows() == V.rows());
+  ensure(weights.joints.rows() == V.rows() && weights.weights.rows() == V.rows(),
+         "weights for every vertex");
   const std::vector<Transform> move = skinning_transforms(skeleton, pose);
   Points3 posed(V.rows(), 3);
   for (Eigen::Index v = 0; v < V.rows(); ++v) {

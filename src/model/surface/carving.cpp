@@ -110,6 +110,7 @@ Box3 hull_box(const Carving& carving) {
     const auto outward = [](int i) { return n / 2 + (i % 2 ? -(i + 1) / 2 : i / 2); };
     float row[n];
     const auto ask = [&](int begin, int end, int j, int k) {
+      if (begin >= end) return;
       const Vec3 start = box.min() + Vec3(0.5, j + 0.5, k + 0.5).cwiseProduct(step);
       const Vec3 along(step.x(), 0, 0);
       for (int i = begin; i < end; ++i) row[i] = float(carving.slab.distance(start + i * along));

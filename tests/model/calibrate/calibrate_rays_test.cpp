@@ -59,6 +59,33 @@ bool mentions(const std::vector<std::string>& lines, const std::string& words) {
   return false;
 }
 
+// ---------------------------------------------------------------- limits
+
+// A limit of 0 holds what it limits, and nothing else.
+TEST(CalibrateRays, ALimitOfNothingHolds) {
+  const Figure figure = capsule_arm();
+  for (const Camera::Type type : {Camera::Type::orthographic, Camera::Type::perspective}) {
+    Document document = sketched(figure, 3, type, 8).given;
+    for (const auto& [rotation, translation] :
+         {std::pair(0.0, 0.5), std::pair(radians(30), 0.0), std::pair(0.0, 0.0)}) {
+      document.calibration.max_rotation = rotation;
+      document.calibration.max_translation = translation;
+      const Calibration found = calibrated(document);
+      EXPECT_TRUE(std::isfinite(found.energy_after));
+      EXPECT_LE(found.energy_after, found.energy_before);
+      bool turned = false, shifted = false;
+      for (std::size_t f = 0; f < found.poses.size(); ++f) {
+        const Pose &user = document.frames[f].pose, &pose = found.poses[f];
+        for (std::size_t j = 0; j < pose.rotations.size(); ++j)
+          turned |= pose.rotations[j].angularDistance(user.rotations[j]) > 1e-9;
+        shifted |= (pose.root_position - user.root_position).norm() > 1e-9;
+      }
+      EXPECT_EQ(turned, rotation > 0);
+      EXPECT_EQ(shifted, translation > 0);
+    }
+  }
+}
+
 // ---------------------------------------------------------------- derivatives
 
 Placement user_placement(const Document& document) {
