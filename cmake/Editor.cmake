@@ -79,53 +79,54 @@ artisketch_embedded_font(kIcons "${ARTISKETCH_ICONS_DIR}/materialdesignicons-web
 
 # ---------------------------------------------------------------- the editor
 
+# 5  editor: ImGui only here. No folder includes one that stands below it in this list:
+#   ui/        widgets and theme
+#   pictures/  what is handed to the graphics card, and what it asks of it
+#   session/   one document being worked on, how it is looked at, commands, jobs, files
+#   canvas/    the sketch's pointer and how it is drawn; controls that several panels share
+#   modes/     outline, skeleton, pose, result: a tool is a file of its own, and a line in tools.cpp
+#   shell/     the panels of the window
+#   gl/        what needs a screen (artisketch_window, below)
+# The modes' sources are found by themselves: a new tool needs no line here.
+file(GLOB_RECURSE modes CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
+     "${PROJECT_SOURCE_DIR}/src/editor/modes/*.cpp")
 add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
-  # 5  editor: ImGui and GL only here
-  src/editor/ui/theme.cpp
   src/editor/ui/fonts.cpp
-  src/editor/ui/touch.cpp
-  src/editor/gl/damage.cpp
   src/editor/ui/menu.cpp
+  src/editor/ui/theme.cpp
+  src/editor/ui/touch.cpp
   src/editor/ui/ui.cpp
-  src/editor/session/commands.cpp
+  src/editor/gl/damage.cpp
   src/editor/pictures/drawings.cpp
   src/editor/pictures/eye.cpp
   src/editor/pictures/model_picture.cpp
-  src/editor/canvas/sketch_paint.cpp
-  src/editor/session/work.cpp
-  src/editor/session/files.cpp
+  src/editor/session/app.cpp
+  src/editor/session/built_model.cpp
+  src/editor/session/command.cpp
   src/editor/session/drawings_in.cpp
-  src/editor/modes/result/exports.cpp
-  src/editor/session/perform.cpp
+  src/editor/session/edit_commands.cpp
+  src/editor/session/file_commands.cpp
+  src/editor/session/files.cpp
   src/editor/session/jobs.cpp
-  src/editor/shell/layout.cpp
-  src/editor/shell/top_bar.cpp
-  src/editor/shell/tool_rail.cpp
-  src/editor/canvas/canvas.cpp
-  src/editor/canvas/canvas_menu.cpp
-  src/editor/modes/outline/missing_card.cpp
-  src/editor/canvas/pointer.cpp
-  src/editor/canvas/tools.cpp
-  src/editor/modes/outline/outline_tools.cpp
-  src/editor/modes/outline/new_outline.cpp
-  src/editor/modes/outline/outline_commands.cpp
-  src/editor/modes/outline/outline_panel.cpp
-  src/editor/modes/outline/trace_tool.cpp
-  src/editor/modes/skeleton/skeleton_tools.cpp
-  src/editor/modes/pose/pose_insets.cpp
-  src/editor/modes/pose/pose_suggest.cpp
   src/editor/session/live.cpp
-  src/editor/modes/pose/fit_paint.cpp
-  src/editor/modes/pose/pose_tools.cpp
-  src/editor/modes/result/model_view.cpp
+  src/editor/session/part_fit.cpp
+  src/editor/session/session.cpp
+  src/editor/session/view.cpp
+  src/editor/session/view_commands.cpp
+  src/editor/canvas/controls.cpp
+  src/editor/canvas/layout.cpp
+  src/editor/canvas/pointer.cpp
+  src/editor/canvas/sketch_paint.cpp
+  ${modes}
+  src/editor/shell/canvas_menu.cpp
   src/editor/shell/inspector.cpp
-  src/editor/modes/pose/pose_panel.cpp
-  src/editor/modes/skeleton/skeleton_panel.cpp
-  src/editor/modes/result/export_sheet.cpp
-  src/editor/shell/strip.cpp
-  src/editor/modes/result/timeline.cpp
-  src/editor/modes/result/result_tools.cpp
+  src/editor/shell/model_panel.cpp
   src/editor/shell/sheets.cpp
+  src/editor/shell/sketch_panel.cpp
+  src/editor/shell/splitters.cpp
+  src/editor/shell/strip.cpp
+  src/editor/shell/tool_rail.cpp
+  src/editor/shell/top_bar.cpp
   src/editor/shell/welcome.cpp
   src/editor/editor.cpp
   src/editor/introspection.cpp

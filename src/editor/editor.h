@@ -55,6 +55,11 @@ class Editor {
   // What several fingers did since the last frame.
   void touch(const Fingers& fingers);
 
+  // What can be asked for by name: "undo", "outline.draw". It is done at the end of the next frame,
+  // as by its key: what can't be done says what it lacks.
+  std::vector<std::string> commands() const;
+  void ask(const std::string& command);
+
   // Draws the whole window; size in points.
   void frame(float width, float height, float pixel_ratio);
   // Seconds until another frame is due without input: nothing moves, nothing is drawn. A job's

@@ -5,23 +5,51 @@
 #include <limits>
 
 #include "document/edit.h"
+#include "editor/ui/ui.h"
 
 namespace artisketch {
 
-Pointer pointer_on(const Rect& place, const OnScreen& on) {
+namespace {
+
+// What is the same over the sketch and over the model.
+Pointer pointer_anywhere() {
   const ImGuiIO& io = ImGui::GetIO();
-  const Press press = press_area("Sketch", place);
   Pointer p;
   p.screen = io.MousePos;
-  p.at = on.back(io.MousePos);
+  p.delta = io.MouseDelta;
+  p.from = io.MouseClickedPos[ImGuiMouseButton_Left];
+  p.wheel = io.MouseWheel;
+  p.moved = pointer_moved();
+  p.alt = io.KeyAlt;
+  if (io.WantTextInput) return p;
+  p.enter = ImGui::IsKeyPressed(ImGuiKey_Enter, false);
+  p.tab = ImGui::IsKeyPressed(ImGuiKey_Tab);
+  p.backspace = ImGui::IsKeyPressed(ImGuiKey_Backspace);
+  return p;
+}
+
+}  // namespace
+
+Pointer pointer_on_sketch(const Rect& place, const OnScreen& on) {
+  const Press press = press_area("Sketch", place);
+  Pointer p = pointer_anywhere();
+  p.at = on.back(p.screen);
   p.hovered = press.hovered;
   p.held = press.held;
   p.pressed = ImGui::IsItemActivated();
   p.released = ImGui::IsItemDeactivated();
   p.dragging = item_dragged();
-  p.moved = pointer_moved();
   p.double_clicked = press.double_clicked;
-  p.alt = io.KeyAlt;
+  return p;
+}
+
+Pointer pointer_on_model() {
+  Pointer p = pointer_anywhere();
+  p.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  p.pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsWindowHovered();
+  p.held = pointer_holds();
+  p.released = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+  p.dragging = pointer_dragged();
   return p;
 }
 
@@ -50,8 +78,8 @@ bool item_dragged() {
   return (ImGui::IsItemActive() || ImGui::IsItemDeactivated()) && pointer_dragged();
 }
 
-std::string part_words(const Work& work, int joint) {
-  return joint_words(work.document().skeleton.joints[std::size_t(joint)].name).whole();
+std::string part_words(const App& app, int joint) {
+  return joint_words(app.document().skeleton.joints[std::size_t(joint)].name).whole();
 }
 
 OnLine nearest_on(const Polyline& line, const OnScreen& on, ImVec2 p) {
@@ -67,10 +95,10 @@ OnLine nearest_on(const Polyline& line, const OnScreen& on, ImVec2 p) {
   return best;
 }
 
-int contour_at(const Work& work, const OnScreen& on, ImVec2 p) {
+int contour_at(const App& app, const OnScreen& on, ImVec2 p) {
   int best = -1;
   float nearest = kReach;
-  const std::vector<Contour>& contours = work.frame().contours;
+  const std::vector<Contour>& contours = app.frame().contours;
   for (int i = 0; i < int(contours.size()); ++i) {
     const float distance = nearest_on(contours[std::size_t(i)].line, on, p).distance;
     if (distance <= nearest) nearest = distance, best = i;
@@ -98,11 +126,11 @@ int joint_at(const std::vector<Transform>& posed, const FrameCamera& camera, con
   return best;
 }
 
-void take_joint(Work& work, const Pointer& p, const std::vector<Transform>& posed,
-                const FrameCamera& camera, const OnScreen& on) {
-  if (!p.pressed) return;
-  work.gesture = {};
-  work.view.joint = work.gesture.joint = joint_at(posed, camera, on, p.screen);
+Vec3 under_pointer(const Eye& eye, ImVec2 p, const Vec3& X) {
+  Eigen::Vector4d clip = eye.clip * X.homogeneous();
+  clip.x() = clip.w() * (2 * (p.x - eye.place.x) / eye.place.w - 1);
+  clip.y() = clip.w() * (1 - 2 * (p.y - eye.place.y) / eye.place.h);
+  return (eye.clip.inverse() * clip).hnormalized();
 }
 
 }  // namespace artisketch

@@ -1,23 +1,17 @@
-// The pointer over the canvas, what it is near to, and gestures as steps of undo.
+// The pointer as ImGui has it, and what of a sketch or a model it is near to.
 #pragma once
 
 #include <string>
 
-#include "editor/shell/panels.h"
+#include "editor/session/app.h"
 
 namespace artisketch {
 
 inline constexpr float kReach = 9, kCloseReach = 12;  // points
 
-struct Pointer {
-  ImVec2 screen;
-  Vec2 at;  // the sketch's pixels
-  bool hovered = false, pressed = false, held = false, released = false, dragging = false;
-  bool moved = false;  // as pointer_moved()
-  bool double_clicked = false, alt = false;
-};
-
-Pointer pointer_on(const Rect& place, const OnScreen& on);
+// Over the sketch, and over the model's panel under way.
+Pointer pointer_on_sketch(const Rect& place, const OnScreen& on);
+Pointer pointer_on_model();
 
 // Whether the pointer drags the control shown last, up to its release.
 bool item_dragged();
@@ -39,17 +33,16 @@ OnLine nearest_on(const Polyline& line, const OnScreen& on, ImVec2 p);
 
 // The outline of the drawing in view whose line is near a place on screen, else the smallest around
 // it; −1: none.
-int contour_at(const Work& work, const OnScreen& on, ImVec2 p);
+int contour_at(const App& app, const OnScreen& on, ImVec2 p);
 
 // The joint within `reach` points of a place on screen; −1: none.
 int joint_at(const std::vector<Transform>& posed, const FrameCamera& camera, const OnScreen& on,
              ImVec2 p, float reach = 14);
 
-// A press takes the joint under it, or none.
-void take_joint(Work& work, const Pointer& p, const std::vector<Transform>& posed,
-                const FrameCamera& camera, const OnScreen& on);
+// The world point that shows at a place on screen, as deep as X.
+Vec3 under_pointer(const Eye& eye, ImVec2 p, const Vec3& X);
 
 // What people call a joint's part.
-std::string part_words(const Work& work, int joint);
+std::string part_words(const App& app, int joint);
 
 }  // namespace artisketch

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "document/line_fit.h"
-#include "editor/ui/theme.h"
+#include "editor/canvas/pointer.h"
+#include "editor/ui/ui.h"
 
 namespace artisketch {
 namespace {
@@ -199,6 +200,15 @@ void paint_bones(ImDrawList& list, const Skeleton& skeleton, const Pose& pose,
     list.AddCircleFilled(at[j], radius + 1, rgb(0x1C2025, 0.8f));
     list.AddCircleFilled(at[j], radius, rgb(0xFFFFFF));
     list.AddCircleFilled(at[j], radius - 2, leaf ? rgb(0xFFFFFF) : joint_tint(j));
+  }
+}
+
+void paint_points(const Polyline& line, const OnScreen& on, ImU32 colour, ImVec2 pointer) {
+  for (const Vec2& point : line.points) {
+    const ImVec2 p = on.of(point);
+    const bool near = apart(p, pointer) < kReach;
+    draw().AddCircleFilled(p, near ? 4.7f : 3.7f, colour);
+    draw().AddCircleFilled(p, near ? 3.7f : 2.7f, rgb(0xFFFFFF));
   }
 }
 

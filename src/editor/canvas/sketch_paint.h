@@ -5,19 +5,9 @@
 #include <vector>
 
 #include "document/document.h"
-#include "editor/ui/rect.h"
+#include "editor/session/on_screen.h"
 
 namespace artisketch {
-
-// From the sketch's pixels to the window: origin + zoom · p.
-struct OnScreen {
-  ImVec2 origin;
-  float zoom = 1;
-  ImVec2 of(const Vec2& p) const {
-    return {origin.x + zoom * float(p.x()), origin.y + zoom * float(p.y())};
-  }
-  Vec2 back(ImVec2 p) const { return {(p.x - origin.x) / zoom, (p.y - origin.y) / zoom}; }
-};
 
 struct OutlineLook {
   float width = 2, casing = 1.25f;  // points; the casing on each side
@@ -26,6 +16,9 @@ struct OutlineLook {
 };
 void paint_outline(ImDrawList& list, const Polyline& line, const OnScreen& on, ImU32 colour,
                    const OutlineLook& look);
+
+// The points of a line as handles; those near the pointer are larger.
+void paint_points(const Polyline& line, const OnScreen& on, ImU32 colour, ImVec2 pointer);
 
 // Thin white bones and joints (Outline), or bones that taper with depth (Pose).
 struct BonesLook {

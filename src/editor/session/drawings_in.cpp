@@ -7,7 +7,7 @@
 #include "document/edit.h"
 #include "document/skeleton_edit.h"
 #include "document/sprite_sheet.h"
-#include "editor/session/actions.h"
+#include "editor/session/files.h"
 #include "editor/ui/icons.h"
 
 namespace artisketch {
@@ -18,8 +18,8 @@ Pixels pixels_of(const Image& image) {
 }
 
 // Where the figure stands in a frame's drawing; none without one.
-std::optional<Box2> figure_in(const Work& work, const Frame& frame) {
-  const Drawing* drawing = work.drawings.of(frame);
+std::optional<Box2> figure_in(const App& app, const Frame& frame) {
+  const Drawing* drawing = app.services.drawings.of(frame);
   if (!drawing) return std::nullopt;
   const Box2 box = figure_box(trace_image(pixels_of(drawing->image)));
   return box.isEmpty() ? std::nullopt : std::optional(box);
@@ -37,16 +37,16 @@ struct Arrived {
 
 // The first drawing sets the scale: the skeleton stands as tall as the figure. The others begin in
 // the pose of the one before, over their own figure.
-Result<Document> with_drawing(Work& work, Document document, const Arrived& arrived) {
-  Result<std::string> key = work.drawings.add(arrived.bytes, arrived.name);
+Result<Document> with_drawing(App& app, Document document, const Arrived& arrived) {
+  Result<std::string> key = app.services.drawings.add(arrived.bytes, arrived.name);
   if (!key) return key.error();
   Frame frame;
   frame.name = arrived.name;
   frame.image = *key;
-  const Drawing& drawing = *work.drawings.of(frame);
+  const Drawing& drawing = *app.services.drawings.of(frame);
   frame.width = drawing.image.width;
   frame.height = drawing.image.height;
-  const std::optional<Box2> figure = figure_in(work, frame);
+  const std::optional<Box2> figure = figure_in(app, frame);
   document = with_frame(std::move(document), std::move(frame));
   if (document.frames.size() == 1)
     return with_skeleton_fitted(std::move(document), 0, figure, FitOptions());
@@ -55,32 +55,32 @@ Result<Document> with_drawing(Work& work, Document document, const Arrived& arri
   return document;
 }
 
-void add_all(Work& work, const std::vector<Arrived>& all) {
-  Document next = work.document();
+void add_all(App& app, const std::vector<Arrived>& all) {
+  Document next = app.document();
   const bool first = next.frames.empty();
   for (const Arrived& arrived : all) {
-    Result<Document> with = with_drawing(work, next, arrived);
-    if (!with) return complain(work, with.error());
+    Result<Document> with = with_drawing(app, next, arrived);
+    if (!with) return complain(app, with.error());
     next = std::move(*with);
   }
-  const int at = int(work.document().frames.size());
-  work.commit(
+  const int at = int(app.document().frames.size());
+  app.session.commit(
       all.size() == 1 ? "Add " + all[0].name : "Add " + std::to_string(all.size()) + " drawings",
       std::move(next));
-  work.view.frame = at;
-  work.view.contour = -1;
-  work.view.fit_again();
+  app.session.selection.frame = at;
+  app.session.selection.contour = -1;
+  app.view.fit_again();
   if (!first) return;
   Toast toast;
   toast.words = "A person's skeleton lies over the drawing.";
   toast.action = "Choose another";
-  toast.act = [&work] { perform(work, Command::mode_skeleton); };
-  work.say(std::move(toast));
+  toast.act = [&app] { perform(app, "mode_skeleton"); };
+  app.say(std::move(toast));
 }
 
 // ---------------------------------------------------------------- sheets
 
-void add_sprites(Work& work, const Image& sheet, const std::string& name,
+void add_sprites(App& app, const Image& sheet, const std::string& name,
                  const std::vector<Sprite>& sprites) {
   std::vector<Arrived> all;
   for (const Sprite& sprite : sprites) {
@@ -88,7 +88,7 @@ void add_sprites(Work& work, const Image& sheet, const std::string& name,
     image.rgba = cut_out(pixels_of(sheet), sprite);
     all.push_back({name + " " + std::to_string(all.size() + 1), png_bytes(image)});
   }
-  add_all(work, all);
+  add_all(app, all);
 }
 
 // "4 × 2", by whatever stands between the numbers; 0 where there is none.
@@ -107,7 +107,7 @@ std::pair<int, int> columns_and_rows(const std::string& words) {
   return {columns, std::max(rows, columns > 0 ? 1 : 0)};
 }
 
-void ask_how_to_cut(Work& work, const NamedBytes& file, Image sheet, std::vector<Sprite> sprites) {
+void ask_how_to_cut(App& app, const NamedBytes& file, Image sheet, std::vector<Sprite> sprites) {
   const std::string name = without_ending(file.name);
   int columns = 0, rows = 0;
   for (const Sprite& sprite : sprites) {
@@ -120,7 +120,7 @@ void ask_how_to_cut(Work& work, const NamedBytes& file, Image sheet, std::vector
   question.words = "Figures across × down, as they stand on the sheet:";
   question.asks_path = true;
   question.path = found;
-  question.with_path = [&work, name, found, sheet = std::move(sheet),
+  question.with_path = [&app, name, found, sheet = std::move(sheet),
                         sprites = std::move(sprites)](const std::string& words) {
     const auto [across, down] = columns_and_rows(words);
     const bool as_found = words == found;
@@ -128,50 +128,51 @@ void ask_how_to_cut(Work& work, const NamedBytes& file, Image sheet, std::vector
         as_found ? sprites : sprites_by_grid(sheet.width, sheet.height, across, down);
     constexpr std::size_t kMost = 256;
     if (cells.empty() || cells.size() > kMost)
-      return complain(work, bad_input("'" + words + "' is no number of figures: say 4 × 2"));
-    add_sprites(work, sheet, name, cells);
+      return complain(app, bad_input("'" + words + "' is no number of figures: say 4 × 2"));
+    add_sprites(app, sheet, name, cells);
   };
-  question.answers = {{"Cut it up", {}, true}, {"One drawing", [&work, name, bytes = file.bytes] {
-                                                  add_all(work, {{name, bytes}});
+  question.answers = {{"Cut it up", {}, true}, {"One drawing", [&app, name, bytes = file.bytes] {
+                                                  add_all(app, {{name, bytes}});
                                                 }}};
-  work.question = std::move(question);
+  app.question = std::move(question);
 }
 
 }  // namespace
 
-void add_drawing(Work& work, const NamedBytes& file) {
+void add_drawing(App& app, const NamedBytes& file) {
   const std::string name = without_ending(file.name);
   Result<std::vector<Image>> images = decode_images(file.bytes, file.name);
-  if (!images) return complain(work, images.error());
+  if (!images) return complain(app, images.error());
   if (is_gif(file.bytes)) {
     std::vector<Arrived> all;
     for (const Image& image : *images)
       all.push_back({images->size() > 1 ? name + " " + std::to_string(all.size() + 1) : name,
                      png_bytes(image)});
-    return add_all(work, all);
+    return add_all(app, all);
   }
   Image& sheet = images->front();
   std::vector<Sprite> sprites = sprites_by_gaps(trace_image(pixels_of(sheet)));
-  if (sprites.size() > 1) return ask_how_to_cut(work, file, std::move(sheet), std::move(sprites));
-  add_all(work, {{name, file.bytes}});
+  if (sprites.size() > 1) return ask_how_to_cut(app, file, std::move(sheet), std::move(sprites));
+  add_all(app, {{name, file.bytes}});
 }
 
-void begin_with_template(Work& work, Template kind) {
-  const int frame = work.view.frame;
-  Document next = work.document();
-  if (work.has_frame()) {
-    next = with_template(std::move(next), kind, frame, figure_in(work, work.frame()));
+void begin_with_template(App& app, Template kind) {
+  const int frame = app.session.selection.frame;
+  Document next = app.document();
+  if (app.has_frame()) {
+    next = with_template(std::move(next), kind, frame, figure_in(app, app.frame()));
     for (int f = 0; f < int(next.frames.size()); ++f) {
       Frame& other = next.frames[std::size_t(f)];
-      const std::optional<Box2> figure = f == frame ? std::nullopt : figure_in(work, other);
+      const std::optional<Box2> figure = f == frame ? std::nullopt : figure_in(app, other);
       if (figure) other.pose = pose_over(next, other, other.pose, *figure);
     }
   } else {
     next = with_template(std::move(next), kind, frame, std::nullopt);
   }
   for (const TemplateWords& words : all_templates())
-    if (words.kind == kind) work.commit(std::string(words.name) + " skeleton", std::move(next));
-  work.view.joint = kind == Template::blank ? 0 : -1;
+    if (words.kind == kind)
+      app.session.commit(std::string(words.name) + " skeleton", std::move(next));
+  app.session.selection.joint = kind == Template::blank ? 0 : -1;
 }
 
 }  // namespace artisketch

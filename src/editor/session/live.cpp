@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "document/edit.h"
-#include "editor/shell/panels.h"
+#include "editor/session/part_fit.h"
 #include "files/document_file.h"
 #include "model/part_inputs.h"
 
@@ -54,52 +54,53 @@ std::vector<FrameFit> fits_of(const Document& document, const std::vector<LivePa
 }
 
 // All parts that there are, as they come, until the person looks closer.
-void keep_in_view(Work& work, const Model& model) {
-  Orbit& orbit = work.view.orbit;
-  std::optional<Orbit>& framed = work.live.framed;
+void keep_in_view(App& app, const Model& model) {
+  Orbit& orbit = app.view.orbit;
+  std::optional<Orbit>& framed = app.session.live.framed;
   if (framed && (orbit.distance != framed->distance || orbit.target != framed->target)) return;
   const Orbit before = orbit;
-  look_at(work, model);
+  orbit = orbit_round(model);
   if (framed) orbit.yaw = before.yaw, orbit.pitch = before.pitch;
   framed = orbit;
 }
 
 // What the parts are wanted of.
-Document wanted(const Work& work) {
-  return work.live.at_built_poses ? with_poses_of(work.document(), work.built->document)
-                                  : work.document();
+Document wanted(const App& app) {
+  return app.session.live.at_built_poses
+             ? with_poses_of(app.document(), app.session.built->document)
+             : app.document();
 }
 
-void take_proposals(Work& work) {
-  if (!work.proposal || work.proposal->revision != work.running_revision) return;
-  Proposal& proposal = *work.proposal;
-  proposal.parts = std::move(work.live.awaited);
+void take_proposals(App& app, long revision) {
+  if (!app.session.proposal || app.session.proposal->revision != revision) return;
+  Proposal& proposal = *app.session.proposal;
+  proposal.parts = std::move(app.session.live.awaited);
   proposal.fits = fits_of(proposal.document, proposal.parts);
   if (!proposal.parts.empty())
-    proposal.model = std::make_shared<Built>(
+    proposal.model = std::make_shared<BuiltModel>(
         built_of(rigid_model(proposal.document, proposal.parts), proposal.document));
-  work.live.marks.forget();
+  app.session.live.marks.forget();
 }
 
-// What was awaited is there.
-void take_awaited(Work& work) {
-  Live& live = work.live;
-  if (live.of_proposal) return take_proposals(work);
-  live.revision = work.running_revision;
+// What was awaited of a state of the document is there.
+void take_awaited(App& app, long revision) {
+  Live& live = app.session.live;
+  if (live.of_proposal) return take_proposals(app, revision);
+  live.revision = revision;
   const bool more = live.awaited.size() != live.parts.size();
   live.parts = std::move(live.awaited);
   live.marks.forget();
-  const Document document = wanted(work);
+  const Document document = wanted(app);
   live.fits = fits_of(document, live.parts);
   live.model.reset();
   if (live.parts.empty() || live.parts.back().made->joint >= document.skeleton.size()) return;
-  live.model = std::make_shared<Built>(built_of(rigid_model(document, live.parts), document));
-  if (more && !work.built) keep_in_view(work, live.model->model);
+  live.model = std::make_shared<BuiltModel>(built_of(rigid_model(document, live.parts), document));
+  if (more && !app.session.built) keep_in_view(app, live.model->model);
 }
 
 // Has those parts made that are not there yet, at a document's poses.
-void ask_for_parts(Work& work, const Document& document, bool of_proposal) {
-  Live& live = work.live;
+void ask_for_parts(App& app, const Document& document, bool of_proposal) {
+  Live& live = app.session.live;
   JobRequest request;
   request.kind = JobRequest::Kind::parts;
   request.options.grid = kGrid;
@@ -115,55 +116,57 @@ void ask_for_parts(Work& work, const Document& document, bool of_proposal) {
     if (!wanted.made) request.parts.push_back(std::move(part));
     live.awaited.push_back(std::move(wanted));
   }
-  work.running = request.kind;
-  work.running_revision = work.history.revision();
-  if (request.parts.empty()) return take_awaited(work);
-  work.jobs.start(std::move(request));
+  const long revision = app.session.history.revision();
+  if (request.parts.empty()) return take_awaited(app, revision);
+  app.session.job = RunningJob{request.kind, revision, {}};
+  app.services.jobs.start(std::move(request));
 }
 
 // An example's model comes without the spheres that joined its parts.
-void ask_for_spheres(Work& work) {
-  if (!work.built || !work.built->spheres.empty() || work.built->spheres_sought) return;
-  work.built->spheres_sought = true;
+void ask_for_spheres(App& app) {
+  if (!app.session.built || !app.session.built->spheres.empty() ||
+      app.session.built->spheres_sought)
+    return;
+  app.session.built->spheres_sought = true;
   JobRequest request;
   request.kind = JobRequest::Kind::spheres;
-  request.document = document_text(work.built->document);
+  request.document = document_text(app.session.built->document);
   request.options.grid = kGrid;
-  work.running = request.kind;
-  work.jobs.start(std::move(request));
+  app.session.job = RunningJob{request.kind, app.session.history.revision(), {}};
+  app.services.jobs.start(std::move(request));
 }
 
 }  // namespace
 
-void keep_live(Work& work) {
-  Live& live = work.live;
-  const long revision = work.history.revision();
-  if (work.jobs.busy() || work.view.welcome) return;
-  const bool fatness =
-      work.built && work.view.mode == Mode::result && work.view.tool() == Tool::fatness;
-  if (const bool at_built_poses = fatness || work.as_built();
+void keep_live(App& app) {
+  Live& live = app.session.live;
+  const long revision = app.session.history.revision();
+  if (app.services.jobs.busy() || app.view.welcome) return;
+  const bool result = app.view.mode == Mode::result;
+  const bool parts_of_result = app.session.built && result && app.tool().shows_parts();
+  if (const bool at_built_poses = parts_of_result || app.session.as_built();
       live.at_built_poses != at_built_poses) {
     live.at_built_poses = at_built_poses;
     std::swap(live.parts, live.others);
     live.revision = -1;
   }
   if (live.revision != revision) {
-    if (drawn_joints(work.document()).empty())
+    if (drawn_joints(app.document()).empty())
       live = Live();
     else
-      ask_for_parts(work, wanted(work), false);
-  } else if (work.proposal && work.proposal->fits.empty()) {
-    ask_for_parts(work, work.proposal->document, true);
-  } else if (work.view.mode == Mode::result && work.view.tool() == Tool::joints) {
-    ask_for_spheres(work);
+      ask_for_parts(app, wanted(app), false);
+  } else if (app.session.proposal && app.session.proposal->fits.empty()) {
+    ask_for_parts(app, app.session.proposal->document, true);
+  } else if (result && app.tool().shows_spheres()) {
+    ask_for_spheres(app);
   }
 }
 
-void take_parts(Work& work, Result<JobResult> outcome) {
-  Live& live = work.live;
+void take_parts(App& app, const RunningJob& job, Result<JobResult> outcome) {
+  Live& live = app.session.live;
   if (!outcome) {
     // Whatever it is, the next edit tries again; a whole model tells what is wrong.
-    if (outcome.error().kind != Error::Kind::cancelled) live.revision = work.running_revision;
+    if (outcome.error().kind != Error::Kind::cancelled) live.revision = job.revision;
     return;
   }
   if (live.awaited.empty()) return;  // they were let go of meanwhile
@@ -172,31 +175,34 @@ void take_parts(Work& work, Result<JobResult> outcome) {
   for (LivePart& part : live.awaited)
     if (!part.made && made != outcome->parts.end())
       part.made = std::make_shared<const PartMesh>(std::move(*made++));
-  take_awaited(work);
+  take_awaited(app, job.revision);
 }
 
-const std::vector<PartMarks>& marks_of_drawing(Work& work) {
-  Live& live = work.live;
+const std::vector<PartMarks>& marks_of_drawing(App& app) {
+  Live& live = app.session.live;
   // A model shows whether it fits at its own poses; bones are drawn at the person's.
-  const Document& posed = work.as_built() ? work.built->document : work.document();
-  const Pose pose =
-      work.as_built() ? posed.frames[std::size_t(work.view.frame)].pose : work.drawn_pose();
-  const bool theirs = work.proposal && work.proposal->theirs();
+  const Document& posed = app.session.as_built() ? app.session.built->document : app.document();
+  const Pose pose = app.session.as_built()
+                        ? posed.frames[std::size_t(app.session.selection.frame)].pose
+                        : app.drawn_pose();
+  const bool theirs = app.session.proposal && app.session.proposal->theirs();
   const auto make = [&] {
     std::vector<PartMarks> all;
-    const std::vector<Transform> motions = skinning_transforms(work.document().skeleton, pose);
-    const FrameCamera camera = frame_camera(posed, work.view.frame);
-    for (const LivePart& part : theirs ? work.proposal->parts : live.parts) {
+    const std::vector<Transform> motions = skinning_transforms(app.document().skeleton, pose);
+    const FrameCamera camera = frame_camera(posed, app.session.selection.frame);
+    for (const LivePart& part : theirs ? app.session.proposal->parts : live.parts) {
       const int joint = part.made->joint;
-      if (joint >= int(motions.size()) || fit_of(work, joint, work.view.frame) == Fit::inside)
+      if (joint >= int(motions.size()) ||
+          fit_of(app, joint, app.session.selection.frame) == Fit::inside)
         continue;
-      FitMarks marks = fit_marks(part.made->mesh, motions[std::size_t(joint)], camera, work.frame(),
-                                 joint, kOff);
+      FitMarks marks =
+          fit_marks(part.made->mesh, motions[std::size_t(joint)], camera, app.frame(), joint, kOff);
       if (!marks.edge.empty()) all.push_back({joint, std::move(marks)});
     }
     return all;
   };
-  return live.marks.of(work.history.state(), {work.view.frame, theirs, pose}, make);
+  return live.marks.of(app.session.history.state(), {app.session.selection.frame, theirs, pose},
+                       make);
 }
 
 }  // namespace artisketch

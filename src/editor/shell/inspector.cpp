@@ -3,36 +3,17 @@
 
 #include "document/edit.h"
 #include "document/templates.h"
+#include "editor/canvas/controls.h"
+#include "editor/canvas/pointer.h"
 #include "editor/modes/outline/new_outline.h"
+#include "editor/modes/outline/outline_panel.h"
+#include "editor/modes/pose/pose_panel.h"
+#include "editor/modes/result/export_sheet.h"
+#include "editor/modes/skeleton/skeleton_panel.h"
+#include "editor/session/part_fit.h"
 #include "editor/shell/panels.h"
 
 namespace artisketch {
-
-std::string fit_in_words(const Work& work, int joint, int frame) {
-  const std::string name = drawing_words(work.document(), frame);
-  switch (fit_of(work, joint, frame)) {
-    case Fit::missing:
-      return "Missing in " + name;
-    case Fit::hidden:
-      return "Hidden in " + name;
-    case Fit::inside:
-      return "Inside other parts: no edge to compare";
-    case Fit::off:
-      return std::to_string(int(distance_of(work, joint, frame) + 0.5)) + " px off in " + name;
-    case Fit::outlined:
-      return "Outlined in " + name;
-  }
-  return "";
-}
-
-void part_name(Rect row, const std::string& name, bool chosen) {
-  const JointWords words = joint_words(name);
-  const Font face = chosen ? Font::body_bold : Font::body;
-  write(row.cut_left(std::min(row.w, text_width(face, words.name) + 1)), face, theme().text,
-        words.name);
-  row.cut_left(5);
-  if (!words.side.empty()) write(row, Font::small, theme().muted, words.side);
-}
 
 namespace {
 
@@ -57,15 +38,15 @@ void paint_mark(ImVec2 at, int joint, Fit fit) {
                              t.warning);
 }
 
-void choose(Work& work, int joint, int frame) {
-  if (work.view.picking_joint && work.has_frame()) return reassign(work, joint);
-  work.view.joint = joint;
-  work.view.frame = frame;
-  work.view.contour = -1;
-  if (!work.has_frame()) return;
-  const std::vector<Contour>& contours = work.frame().contours;
+void choose(App& app, int joint, int frame) {
+  if (app.session.next.picks_joint && app.has_frame()) return reassign(app, joint);
+  app.session.selection.joint = joint;
+  app.session.selection.frame = frame;
+  app.session.selection.contour = -1;
+  if (!app.has_frame()) return;
+  const std::vector<Contour>& contours = app.frame().contours;
   for (int i = 0; i < int(contours.size()); ++i)
-    if (contours[std::size_t(i)].joint == joint) work.view.contour = i;
+    if (contours[std::size_t(i)].joint == joint) app.session.selection.contour = i;
 }
 
 void legend(Rect row, bool hidden) {
@@ -93,34 +74,35 @@ void legend(Rect row, bool hidden) {
 }
 
 // Parts by drawings: what is outlined, missing, off; a click goes there.
-void matrix(Work& work, Rect& place) {
+void matrix(App& app, Rect& place) {
   const Theme& t = theme();
-  const Document& document = work.document();
+  const Document& document = app.document();
   const std::vector<int> parts = parts_to_draw(document);
   const int frames = std::min(int(document.frames.size()), 8);
   constexpr float kColumn = 24, kRow = 26;
   const float first = place.right() - 14 - kColumn * float(frames);
   const float height = 24 + kRow * float(parts.size());
-  if (work.has_frame() && work.view.frame < frames)
-    draw().AddRectFilled({first + kColumn * float(work.view.frame), place.y},
-                         {first + kColumn * float(work.view.frame + 1), place.y + height},
-                         t.dark ? t.control : t.selection, kRadius);
+  if (app.has_frame() && app.session.selection.frame < frames)
+    draw().AddRectFilled(
+        {first + kColumn * float(app.session.selection.frame), place.y},
+        {first + kColumn * float(app.session.selection.frame + 1), place.y + height},
+        t.dark ? t.control : t.selection, kRadius);
   Rect heads = place.cut_top(24);
   for (int f = 0; f < frames; ++f) {
     const Rect cell{first + kColumn * float(f), heads.y, kColumn, heads.h};
     const Press press = press_area("Drawing " + std::to_string(f + 1), cell);
-    const bool here = f == work.view.frame;
+    const bool here = f == app.session.selection.frame;
     write(cell, here ? Font::caption_bold : Font::caption,
           here            ? t.accent
           : press.hovered ? t.text
                           : t.muted,
           std::to_string(f + 1), Align::centre);
-    if (press.clicked) work.view.frame = f;
+    if (press.clicked) app.session.selection.frame = f;
   }
   for (int joint : parts) {
     const Rect row = place.cut_top(kRow);
     const std::string name = document.skeleton.joints[joint].name;
-    const bool chosen = joint == work.view.joint;
+    const bool chosen = joint == app.session.selection.joint;
     if (chosen)
       draw().AddRectFilled({row.x + 8, row.y}, {row.right() - 6, row.bottom()}, t.selection,
                            kRadius);
@@ -129,7 +111,7 @@ void matrix(Work& work, Rect& place) {
     if (press.hovered && !chosen)
       draw().AddRectFilled({row.x + 8, row.y}, {row.right() - 6, row.bottom()},
                            faded(t.hover, 0.5f), kRadius);
-    if (press.clicked) choose(work, joint, work.view.frame);
+    if (press.clicked) choose(app, joint, app.session.selection.frame);
     const ImVec2 disc{row.x + 22, row.centre().y};
     draw().AddCircleFilled(disc, 6, joint_tint(joint));
     if (t.dark) draw().AddCircle(disc, 5.6f, rgb(0xFFFFFF, 0.18f), 0, 1);
@@ -138,18 +120,19 @@ void matrix(Work& work, Rect& place) {
       const Rect cell{first + kColumn * float(f), row.y, kColumn, row.h};
       const Press there =
           press_area(joint_words(name).whole() + " in " + std::to_string(f + 1), cell);
-      paint_mark(cell.centre(), joint, fit_of(work, joint, f));
-      if (chosen && f == work.view.frame) draw().AddCircle(cell.centre(), 6.5f, t.text, 0, 1.5f);
-      if (there.hovered) tooltip(fit_in_words(work, joint, f), "");
-      if (there.clicked) choose(work, joint, f);
+      paint_mark(cell.centre(), joint, fit_of(app, joint, f));
+      if (chosen && f == app.session.selection.frame)
+        draw().AddCircle(cell.centre(), 6.5f, t.text, 0, 1.5f);
+      if (there.hovered) tooltip(fit_in_words(app, joint, f), "");
+      if (there.clicked) choose(app, joint, f);
     }
   }
 }
 
 // One drawing's parts as chips for fingers (tablets).
-void part_chips(Work& work, Rect place) {
+void part_chips(App& app, Rect place) {
   const Theme& t = theme();
-  const Document& document = work.document();
+  const Document& document = app.document();
   // Dragged up, the sheet shows all drawings.
   const Rect grip{place.centre().x - 60, place.y, 120, 14};
   press_area("Parts sheet", grip);
@@ -158,37 +141,36 @@ void part_chips(Work& work, Rect place) {
   constexpr float kFar = 24;  // points
   if (item_dragged()) {
     const float way = ImGui::GetIO().MousePos.y - ImGui::GetIO().MouseClickedPos[0].y;
-    if (std::abs(way) > kFar) work.view.all_drawings = way < 0;
+    if (std::abs(way) > kFar) app.view.all_drawings = way < 0;
   }
   Rect head = place.cut_top(52).inset(16, 8);
   Look all;
   all.icon = icon::kGrid;
-  all.on = work.view.all_drawings;
+  all.on = app.view.all_drawings;
   if (button("All drawings", head.cut_right(126), all))
-    work.view.all_drawings = !work.view.all_drawings;
-  const auto action = [&](Command command, float width, const Look& look = {}) {
+    app.view.all_drawings = !app.view.all_drawings;
+  const auto action = [&](std::string_view command, float width) {
     head.cut_right(8);
-    command_button(work, command, head.cut_right(width), look);
+    command_button(app, command, head.cut_right(width));
   };
-  if (available(work, Command::hidden_here)) action(Command::hidden_here, 132, hidden_look(work));
-  if (work.view.mode == Mode::outline && work.view.contour >= 0) {
-    Look picking, joining;
-    picking.on = work.view.picking_joint;
-    joining.on = work.view.joining;
-    action(Command::join, 84, joining);
-    action(Command::other_joint, 128, picking);
-    action(Command::redraw, 104);
+  if (available(app, "hidden_here")) action("hidden_here", 132);
+  if (app.view.mode == Mode::outline && app.session.selection.contour >= 0) {
+    action("join", 84);
+    action("other_joint", 128);
+    action("redraw", 104);
   }
-  if (work.view.mode == Mode::pose) action(Command::calibrate, 120);
+  if (app.view.mode == Mode::pose) action("calibrate", 120);
   const std::vector<int> parts = parts_to_draw(document);
-  const PartCount count = work.has_frame() ? count_parts(work, work.view.frame) : PartCount();
+  const PartCount count =
+      app.has_frame() ? count_parts(app, app.session.selection.frame) : PartCount();
   const std::string title =
-      "Parts" + (work.has_frame() ? " in " + drawing_words(document, work.view.frame) : "");
+      "Parts" +
+      (app.has_frame() ? " in " + drawing_words(document, app.session.selection.frame) : "");
   write(head.cut_left(text_width(Font::title, title) + 12), Font::title, t.text, title);
   write(head, Font::caption, t.muted,
         std::to_string(count.outlined) + " of " + std::to_string(count.all));
-  if (work.view.all_drawings) {
-    matrix(work, place);
+  if (app.view.all_drawings) {
+    matrix(app, place);
     return;
   }
   Rect line = place.inset(12, 4);
@@ -199,8 +181,9 @@ void part_chips(Work& work, Rect place) {
     if (x + width > line.right()) x = line.x, y += 44;
     const Rect chip{x, y, width, 38};
     x += width + 6;
-    const bool chosen = joint == work.view.joint;
-    const Fit fit = work.has_frame() ? fit_of(work, joint, work.view.frame) : Fit::missing;
+    const bool chosen = joint == app.session.selection.joint;
+    const Fit fit =
+        app.has_frame() ? fit_of(app, joint, app.session.selection.frame) : Fit::missing;
     const bool missing = fit == Fit::missing || fit == Fit::hidden;
     const Press press = press_area(name, chip, true, chosen);
     draw().AddRectFilled(chip.min(), chip.max(),
@@ -217,19 +200,19 @@ void part_chips(Work& work, Rect place) {
       draw().AddCircleFilled({chip.x + 19, chip.centre().y}, 7, joint_tint(joint));
     write({chip.x + 32, chip.y, width - 34, chip.h}, chosen ? Font::body_bold : Font::body,
           missing ? t.muted : t.text, name);
-    if (press.clicked) choose(work, joint, work.view.frame);
+    if (press.clicked) choose(app, joint, app.session.selection.frame);
   }
 }
 
 }  // namespace
 
-void parts_panel(Work& work, Rect place) {
+void parts_panel(App& app, Rect place) {
   const Theme& t = theme();
-  const Document& document = work.document();
+  const Document& document = app.document();
   const std::vector<int> parts = parts_to_draw(document);
   int outlined = 0, all = 0;
   for (int f = 0; f < int(document.frames.size()); ++f) {
-    const PartCount count = count_parts(work, f);
+    const PartCount count = count_parts(app, f);
     outlined += count.outlined;
     all += count.all;
   }
@@ -242,44 +225,44 @@ void parts_panel(Work& work, Rect place) {
                               "Parts appear here with the skeleton's joints.", 20) +
                   14);
   } else {
-    matrix(work, place);
+    matrix(app, place);
     place.cut_top(10);
     const auto hides = [](const Frame& frame) { return !frame.hidden.empty(); };
     legend(place.cut_top(20).inset(16, 0),
            std::any_of(document.frames.begin(), document.frames.end(), hides));
     place.cut_top(14);
   }
-  outline_panel(work, place);
+  outline_panel(app, place);
 }
 
-void inspector(Work& work, const Layout& layout) {
+void inspector(App& app, const Layout& layout) {
   const Theme& t = theme();
   const Panel panel("Inspector", layout.inspector, t.panel);
   if (layout.tablet) {
     hairline({layout.inspector.x, layout.inspector.y},
              {layout.inspector.right(), layout.inspector.y + 1});
-    if (work.view.exporting)
-      export_sheet(work, layout.inspector);
-    else if (work.view.mode == Mode::skeleton)
-      skeleton_sheet(work, layout.inspector);
-    else if (work.view.mode == Mode::pose && work.proposal && work.has_frame())
-      proposal_sheet(work, layout.inspector);
-    else if (work.view.mode == Mode::outline && work.outline)
-      new_outline_sheet(work, layout.inspector);
+    if (app.view.exporting)
+      export_sheet(app, layout.inspector);
+    else if (app.view.mode == Mode::skeleton)
+      skeleton_sheet(app, layout.inspector);
+    else if (app.view.mode == Mode::pose && app.session.proposal && app.has_frame())
+      proposal_sheet(app, layout.inspector);
+    else if (app.view.mode == Mode::outline && app.session.new_outline)
+      new_outline_sheet(app, layout.inspector);
     else
-      part_chips(work, layout.inspector);
+      part_chips(app, layout.inspector);
     return;
   }
   hairline({layout.inspector.x, layout.inspector.y},
            {layout.inspector.x + 1, layout.inspector.bottom()});
-  if (work.view.exporting)
-    export_sheet(work, layout.inspector);
-  else if (work.view.mode == Mode::skeleton)
-    skeleton_panel(work, layout.inspector);
-  else if (work.view.mode == Mode::pose)
-    pose_panel(work, layout.inspector);
+  if (app.view.exporting)
+    export_sheet(app, layout.inspector);
+  else if (app.view.mode == Mode::skeleton)
+    skeleton_panel(app, layout.inspector);
+  else if (app.view.mode == Mode::pose)
+    pose_panel(app, layout.inspector);
   else
-    parts_panel(work, layout.inspector);
+    parts_panel(app, layout.inspector);
 }
 
 }  // namespace artisketch

@@ -1,12 +1,14 @@
 // What lies over the window for a moment: menu, questions, shortcuts, toasts; and the status line.
+#include <algorithm>
 #include <cmath>
 
-#include "editor/session/actions.h"
+#include "editor/canvas/controls.h"
+#include "editor/session/files.h"
 #include "editor/shell/panels.h"
 
 namespace artisketch {
 
-void main_menu(Work& work, const Rect& button) {
+void main_menu(App& app, const Rect& button) {
   const Theme& t = theme();
   ImGui::SetNextWindowPos({button.x, button.bottom() + 4});
   if (!ImGui::BeginPopup("main menu", ImGuiWindowFlags_NoMove)) return;
@@ -29,36 +31,36 @@ void main_menu(Work& work, const Rect& button) {
     if (press.clicked) ImGui::CloseCurrentPopup();
     return press.clicked;
   };
-  const auto command = [&](Command which) {
-    const CommandWords& words = words_of(which);
-    if (row(words.name, words.icon, key_words(words, work.platform.mac_keys()),
-            available(work, which)))
-      work.ask(which);
+  const auto command = [&](std::string_view id) {
+    const Command& which = artisketch::command(app, id);
+    if (row(which.name, which.icon, key_words(which, app.services.platform.mac_keys()),
+            available(app, which)))
+      app.ask(which.id);
   };
   const auto gap = [&] {
     const Rect line = column.cut_top(11);
     hairline({line.x + 12, line.centre().y}, {line.right() - 12, line.centre().y + 1});
   };
-  command(Command::new_document);
-  command(Command::open);
-  command(Command::save);
-  command(Command::save_as);
+  command("new");
+  command("open");
+  command("save");
+  command("save_as");
   gap();
-  command(Command::add_drawings);
-  command(Command::blank_drawing);
+  command("add_drawings");
+  command("blank_drawing");
   gap();
-  const std::vector<Platform::Recent> recents = work.platform.recents();
+  const std::vector<Platform::Recent> recents = app.services.platform.recents();
   for (std::size_t i = 0; i < recents.size() && i < 5; ++i)
     if (row(recents[i].name, icon::kHistory, "", true)) {
       const std::string place = recents[i].place;
-      unless_unsaved(work, [&work, place] {
-        work.platform.open_recent(place,
-                                  [&work](auto files) { open_files(work, std::move(files)); });
+      unless_unsaved(app, [&app, place] {
+        app.services.platform.open_recent(
+            place, [&app](auto files) { open_files(app, std::move(files)); });
       });
     }
   if (!recents.empty()) gap();
-  command(Command::theme);
-  command(Command::help);
+  command("theme");
+  command("help");
   ImGui::SetCursorScreenPos(corner);
   ImGui::Dummy({kWidth, column.y - corner.y + 6});
   ImGui::EndPopup();
@@ -76,67 +78,81 @@ bool over_all(const Rect& place, float width, float height) {
 
 }  // namespace
 
-void question_sheet(Work& work, float width, float height) {
-  if (!work.question) return;
+void question_sheet(App& app, float width, float height) {
+  if (!app.question) return;
   const Theme& t = theme();
   const Rect place = Rect{0, 0, width, height}.middle(std::min(440.0f, width - 24),
-                                                      work.question->asks_path ? 188 : 164);
+                                                      app.question->asks_path ? 188 : 164);
   const bool open = over_all(place, width, height);
   const Panel panel("Question", place, t.raised, Panel::Layer::floating, kRadiusPanel);
   Rect column = place.inset(20);
-  write(column.cut_top(24), Font::title, t.text, work.question->title);
+  write(column.cut_top(24), Font::title, t.text, app.question->title);
   column.cut_top(4);
   std::function<void()> act;
   bool answered = !open;
-  if (work.question->asks_path) {
-    write(column.cut_top(22), Font::body, t.muted, work.question->words);
+  if (app.question->asks_path) {
+    write(column.cut_top(22), Font::body, t.muted, app.question->words);
     column.cut_top(6);
-    if (text_field("Path", column.cut_top(34), work.question->path, ImGui::IsWindowAppearing())) {
-      act = [with = work.question->with_path, path = work.question->path] { with(path); };
+    if (text_field("Path", column.cut_top(34), app.question->path, ImGui::IsWindowAppearing())) {
+      act = [with = app.question->with_path, path = app.question->path] { with(path); };
       answered = true;
     }
   } else {
-    write_lines(column, Font::body, t.muted, work.question->words, 20);
+    write_lines(column, Font::body, t.muted, app.question->words, 20);
   }
   Rect row = Rect{place.x + 20, place.bottom() - 56, place.w - 40, 36};
-  for (const Question::Answer& answer : work.question->answers) {
+  for (const Question::Answer& answer : app.question->answers) {
     Look look;
     look.primary = answer.primary;
     const float wide = std::max(88.0f, text_width(Font::body_bold, answer.words) + 32);
     if (button(answer.words, row.cut_right(wide), look)) {
       act = answer.act;
-      if (work.question->asks_path && answer.primary)
-        act = [with = work.question->with_path, path = work.question->path] { with(path); };
+      if (app.question->asks_path && answer.primary)
+        act = [with = app.question->with_path, path = app.question->path] { with(path); };
       answered = true;
     }
     row.cut_right(8);
   }
   if (!answered) return;
-  work.question.reset();
+  app.question.reset();
   if (act) act();
 }
 
-void shortcut_sheet(Work& work, float width, float height) {
-  if (!work.view.help) return;
-  const Theme& t = theme();
-  struct Line {
-    std::string words, key;
-  };
-  std::vector<Line> lines;
-  for (const CommandWords& words : all_commands()) {
-    const std::string key = key_words(words, work.platform.mac_keys());
-    if (!key.empty() && words.command != Command::cancel_job) lines.push_back({words.name, key});
+namespace {
+
+struct Shortcut {
+  std::string words, key;
+};
+
+// Each key once: tools of several modes share theirs.
+std::vector<Shortcut> shortcuts(const App& app) {
+  std::vector<Shortcut> lines;
+  for (const Command& command : app.commands) {
+    const std::string key = key_words(command, app.services.platform.mac_keys());
+    const auto same = [&](const Shortcut& line) {
+      return line.key == key && line.words == command.name;
+    };
+    if (!key.empty() && std::none_of(lines.begin(), lines.end(), same))
+      lines.push_back({command.name, key});
   }
-  lines.push_back({"Step back, stop", "Esc"});
   lines.push_back({"Zoom", "Wheel"});
   lines.push_back({"Pan", "Middle drag"});
+  return lines;
+}
+
+}  // namespace
+
+void shortcut_sheet(App& app, float width, float height) {
+  if (!app.view.help) return;
+  const Theme& t = theme();
+  const std::vector<Shortcut> lines = shortcuts(app);
   const int columns = width < 760 ? 1 : 3;
   const int rows = (int(lines.size()) + columns - 1) / columns;
   constexpr float kRow = 28;
   const Rect place = Rect{0, 0, width, height}.middle(
       std::min(260.0f * float(columns) + 40, width - 24), kRow * float(rows) + 92);
   if (!over_all(place, width, height)) {
-    work.view.help = false;
+    app.view.help = false;
     return;
   }
   const Panel panel("Shortcuts", place, t.raised, Panel::Layer::floating, kRadiusPanel);
@@ -146,7 +162,7 @@ void shortcut_sheet(Work& work, float width, float height) {
   close.quiet = true;
   close.key = "Esc";
   close.id = "Close shortcuts";
-  if (icon_button("Close", head.cut_right(28).middle(28, 28), close)) work.view.help = false;
+  if (icon_button("Close", head.cut_right(28).middle(28, 28), close)) app.view.help = false;
   write(head, Font::title, t.text, "Shortcuts");
   const float column = (place.w - 48) / float(columns);
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -158,17 +174,17 @@ void shortcut_sheet(Work& work, float width, float height) {
   }
 }
 
-void toasts(Work& work, const Layout& layout) {
+void toasts(App& app, const Layout& layout) {
   const Theme& t = theme();
-  const double now = ImGui::GetTime();
+  const double now = app.services.now;
   // Over the band below the drawing, or the head of a tablet's sheet: the figure stays in view.
   constexpr float kBand = 44, kSheetHead = 52;
   float bottom = layout.tablet ? layout.inspector.y + kSheetHead - 4 : layout.strip.y - 2;
-  for (std::size_t i = 0; i < work.toasts.size();) {
-    Toast& toast = work.toasts[i];
+  for (std::size_t i = 0; i < app.toasts.size();) {
+    Toast& toast = app.toasts[i];
     if (toast.since < 0) toast.since = now;
     if (!toast.error && now - toast.since > kToastSeconds) {
-      work.toasts.erase(work.toasts.begin() + std::ptrdiff_t(i));
+      app.toasts.erase(app.toasts.begin() + std::ptrdiff_t(i));
       continue;
     }
     const auto wide = [](const std::string& words) {
@@ -223,76 +239,29 @@ void toasts(Work& work, const Layout& layout) {
       write_lines({row.x, row.centre().y - 10 * float(lines), text + 1, row.h}, Font::body, t.text,
                   toast.words, 20);
     }
-    if (dismissed) work.toasts.erase(work.toasts.begin() + std::ptrdiff_t(i));
+    if (dismissed) app.toasts.erase(app.toasts.begin() + std::ptrdiff_t(i));
     if (act) act();
     if (!dismissed) ++i;
   }
 }
 
-void status_line(const Work& work, const Layout& layout) {
+void status_line(const App& app, const Layout& layout) {
   const Theme& t = theme();
   const Panel panel("Status", layout.status, t.panel);
   hairline({0, layout.status.y}, {layout.status.right(), layout.status.y + 1});
   Rect row = layout.status.inset(12, 0);
-  const View& view = work.view;
-  std::string where, what;
-  if (view.welcome) {
-    where = "Welcome";
-    what = "Turn the model, or open an example and change anything: it is a copy.";
-  } else {
-    switch (view.mode) {
-      case Mode::outline:
-        where = view.tool() == Tool::draw     ? "Draw"
-                : view.tool() == Tool::cut    ? "Cut"
-                : view.tool() == Tool::trace  ? "Trace"
-                : view.tool() == Tool::points ? "Points"
-                                              : "Edit";
-        what = view.tool() == Tool::draw ? "Drag around a part; let go near the start to close.  "
-                                           "Start on the chosen outline to redraw that piece."
-               : view.tool() == Tool::cut
-                   ? "Drag a line across a part: it becomes two that overlap."
-               : view.tool() == Tool::trace
-                   ? "Click a shape; drag sideways to take in more or less, far right for all."
-               : view.tool() == Tool::points
-                   ? "Click point by point; Enter or a click on the first closes."
-                   : "Click an outline, drag its points.  Double-click adds a point, Delete "
-                     "removes it.";
-        break;
-      case Mode::skeleton:
-        where = "Skeleton";
-        what = view.joint >= 0
-                   ? "Click beside the joint to add the next one, or drag it.  F2 names, "
-                     "Delete removes, Esc lets go."
-                   : "Drag joints to where they belong; every drawing follows.";
-        break;
-      case Mode::pose:
-        where = view.tool() == Tool::twist ? "Twist" : view.tool() == Tool::turn ? "Turn" : "Pose";
-        what = view.tool() == Tool::twist
-                   ? "Choose a joint, then drag sideways or turn the wheel: the part twists."
-               : view.tool() == Tool::turn ? "Drag: the whole body turns like a ball."
-               : work.proposal
-                   ? "Hold Space to see your own pose."
-                   : "Drag a joint: the limb follows.  The wheel on a joint twists it, F flips it "
-                     "toward you or away.";
-        break;
-      case Mode::result:
-        where = view.tool() == Tool::orbit     ? "Orbit"
-                : view.tool() == Tool::joints  ? "Joints"
-                : view.tool() == Tool::fatness ? "Fatness"
-                                               : "Pose";
-        what = view.tool() == Tool::orbit ? "Drag to look around the model.  Space plays."
-               : view.tool() == Tool::joints
-                   ? "Drag a sphere's rim for its size, its middle to move it; then Reconstruct."
-               : view.tool() == Tool::fatness
-                   ? "Drag a part sideways: thinner or fatter.  Reconstruct joins it again."
-                   : "Drag a joint on the model.  I sets a key at the playhead, Space plays.";
-        break;
-    }
+  const View& view = app.view;
+  std::string where = "Welcome";
+  std::string what = "Turn the model, or open an example and change anything: it is a copy.";
+  if (!view.welcome) {
+    where = view.mode == Mode::skeleton ? "Skeleton"
+                                        : app.tools[view.armed[std::size_t(view.mode)]].name;
+    what = app.tool().hint(app);
   }
   std::string right;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  if (!view.welcome && work.has_frame() && layout.canvas.holds(mouse)) {
-    const OnScreen on{view.origin, view.zoom};
+  if (!view.welcome && app.has_frame() && layout.canvas.holds(mouse)) {
+    const OnScreen on = app.view.sketch.on();
     const Vec2 p = on.back(mouse);
     right = "x " + std::to_string(int(p.x())) + "  y " + std::to_string(int(p.y()));
   }

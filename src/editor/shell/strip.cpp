@@ -2,59 +2,43 @@
 #include <cmath>
 
 #include "document/edit.h"
+#include "editor/canvas/controls.h"
+#include "editor/session/part_fit.h"
 #include "editor/shell/panels.h"
 #include "editor/ui/menu.h"
 
 namespace artisketch {
 
-void thumbnail(const Work& work, const Frame& frame, const Rect& place, bool outlines) {
-  const float zoom = std::min(place.w / float(std::max(1, frame.width)),
-                              place.h / float(std::max(1, frame.height)));
-  const OnScreen on{{place.x + (place.w - zoom * float(frame.width)) / 2,
-                     place.y + (place.h - zoom * float(frame.height)) / 2},
-                    zoom};
-  draw().AddRectFilled(place.min(), place.max(), theme().paper_tint, kRadiusSmall);
-  const Rect paper{on.origin.x, on.origin.y, zoom * float(frame.width), zoom * float(frame.height)};
-  if (const Drawing* drawing = work.drawings.of(frame))
-    show_picture(drawing->texture, paper, 1, {0, 0}, {1, 1}, theme().paper_tint);
-  if (!outlines) return;
-  OutlineLook look;
-  look.width = 1.1f;
-  look.casing = 0;
-  for (const Contour& contour : frame.contours)
-    paint_outline(draw(), contour.line, on, joint_tint(contour.joint), look);
-}
-
 namespace {
 
-void drawing_menu(Work& work, int f) {
+void drawing_menu(App& app, int f) {
   Menu menu;
   if (!menu) return;
-  const Document& document = work.document();
+  const Document& document = app.document();
   const auto move_to = [&](int to) {
-    work.commit("Move drawing", with_frame_moved(document, f, to));
-    work.view.frame = to;
+    app.session.commit("Move drawing", with_frame_moved(document, f, to));
+    app.session.selection.frame = to;
   };
   if (menu.line("Duplicate drawing")) {
-    work.commit("Duplicate drawing", with_frame_copied(document, f));
-    work.view.frame = f + 1;
+    app.session.commit("Duplicate drawing", with_frame_copied(document, f));
+    app.session.selection.frame = f + 1;
   } else if (menu.line("Move left", "", f > 0)) {
     move_to(f - 1);
   } else if (menu.line("Move right", "", f + 1 < int(document.frames.size()))) {
     move_to(f + 1);
   } else if (menu.line("Remove drawing")) {
-    work.commit("Remove drawing", without_frame(document, f));
-    work.view.contour = -1;
+    app.session.commit("Remove drawing", without_frame(document, f));
+    app.session.selection.contour = -1;
   }
 }
 
 // A card that is dragged goes where the line between two others shows.
-void move_drawing(Work& work, int f, const Rect& place, float step, const Press& press) {
-  std::optional<int>& moving = work.view.moving_drawing;
+void move_drawing(App& app, int f, const Rect& place, float step, const Press& press) {
+  std::optional<int>& moving = app.session.moving_drawing;
   constexpr float kFar = 10;  // points
   if (press.held && ImGui::IsMouseDragging(ImGuiMouseButton_Left, kFar)) moving = f;
   if (moving != f) return;
-  const int frames = int(work.document().frames.size());
+  const int frames = int(app.document().frames.size());
   const float by = ImGui::GetIO().MousePos.x - place.centre().x;
   const int to = std::clamp(f + int(std::lround(by / step)), 0, frames - 1);
   if (press.held) {
@@ -65,36 +49,36 @@ void move_drawing(Work& work, int f, const Rect& place, float step, const Press&
   }
   moving.reset();
   if (to == f) return;
-  work.commit("Move drawing", with_frame_moved(work.document(), f, to));
-  work.view.frame = to;
+  app.session.commit("Move drawing", with_frame_moved(app.document(), f, to));
+  app.session.selection.frame = to;
 }
 
 // The document's one camera.
-void camera_choice(Work& work, Rect place, bool slim) {
-  const bool flat = work.document().camera.type == Camera::Type::orthographic;
+void camera_choice(App& app, Rect place, bool slim) {
+  const bool flat = app.document().camera.type == Camera::Type::orthographic;
   if (!slim) write(place.cut_top(24), Font::caption, theme().muted, "Camera");
   Look look;
   look.hint = flat ? "Seen from afar: sizes don't change with depth. Click for perspective"
                    : "Seen from near: what is closer is larger. Click for orthographic";
   if (button(flat ? "Orthographic" : "Perspective", place.cut_top(30), look))
-    work.commit(flat ? "Perspective camera" : "Orthographic camera",
-                with_camera_type(work.document(),
-                                 flat ? Camera::Type::perspective : Camera::Type::orthographic));
+    app.session.commit(flat ? "Perspective camera" : "Orthographic camera",
+                       with_camera_type(app.document(), flat ? Camera::Type::perspective
+                                                             : Camera::Type::orthographic));
 }
 
-void card(Work& work, int f, const Rect& place, bool slim, bool narrow) {
+void card(App& app, int f, const Rect& place, bool slim, bool narrow) {
   const Theme& t = theme();
-  const bool on = f == work.view.frame;
+  const bool on = f == app.session.selection.frame;
   const std::string number = std::to_string(f + 1);
-  const std::string name = drawing_words(work.document(), f);
+  const std::string name = drawing_words(app.document(), f);
   const Press press = press_area("Drawing card " + number, place, true, on);
   if (press.clicked) {
-    work.view.frame = f;
-    work.view.contour = -1;
+    app.session.selection.frame = f;
+    app.session.selection.contour = -1;
   }
-  drawing_menu(work, f);
-  if (!work.has_frame() || f >= int(work.document().frames.size())) return;
-  move_drawing(work, f, place, place.w + 8, press);
+  drawing_menu(app, f);
+  if (!app.has_frame() || f >= int(app.document().frames.size())) return;
+  move_drawing(app, f, place, place.w + 8, press);
   draw().AddRectFilled(place.min(), place.max(),
                        on              ? t.selection
                        : press.hovered ? t.hover
@@ -102,9 +86,9 @@ void card(Work& work, int f, const Rect& place, bool slim, bool narrow) {
                        kRadiusCard);
   if (on) draw().AddRect(place.min(), place.max(), t.accent, kRadiusCard, 0, 2);
   Rect row = place.inset(6);
-  thumbnail(work, work.document().frames[std::size_t(f)], row.cut_left(row.h));
+  thumbnail(app, app.document().frames[std::size_t(f)], row.cut_left(row.h));
   row.cut_left(11);
-  const PartCount c = count_parts(work, f);
+  const PartCount c = count_parts(app, f);
   const float line = slim ? row.h / 2 : row.h / 3;
   Rect title = row.cut_top(line);
   if (!slim && !narrow)
@@ -128,9 +112,9 @@ void card(Work& work, int f, const Rect& place, bool slim, bool narrow) {
     write_icon(at, IconSize::small, t.muted, icon::kCheck);
     mark.cut_left(18);
     write(mark, Font::caption, t.muted, narrow ? "reference" : "reference pose");
-  } else if (f < int(work.live.model ? work.live.fits.size()
-                     : work.built    ? work.built->fits.size()
-                                     : 0)) {
+  } else if (f < int(app.session.live.model ? app.session.live.fits.size()
+                     : app.session.built    ? app.session.built->fits.size()
+                                            : 0)) {
     write_icon(at, IconSize::small, t.muted, icon::kCheck);
     mark.cut_left(18);
     write(mark, Font::caption, t.muted, "fits");
@@ -139,30 +123,30 @@ void card(Work& work, int f, const Rect& place, bool slim, bool narrow) {
 
 }  // namespace
 
-void drawing_strip(Work& work, const Layout& layout) {
+void drawing_strip(App& app, const Layout& layout) {
   const Theme& t = theme();
   const Rect place = layout.strip;
   const Panel panel("Strip", place, t.panel);
   hairline({place.x, place.y}, {place.right(), place.y + 1});
   const bool slim = place.h < 100;
   Rect row = place.inset(12, slim ? 8 : 10);
-  const int frames = int(work.document().frames.size());
+  const int frames = int(app.document().frames.size());
   float width = layout.tablet ? 168 : slim ? 168 : 208;
   // Names are whole as far as there is room.
   for (int f = 0; f < frames; ++f)
-    width = std::max(width, std::min(232.0f, row.h + 16 + (slim || layout.tablet ? 0 : 15) +
-                                                 text_width(Font::body_bold,
-                                                            drawing_words(work.document(), f))));
+    width = std::max(
+        width, std::min(232.0f, row.h + 16 + (slim || layout.tablet ? 0 : 15) +
+                                    text_width(Font::body_bold, drawing_words(app.document(), f))));
   // Many drawings scroll with the wheel.
-  float& scroll = work.view.strip_scroll;
+  float& scroll = app.view.strip_scroll;
   const float add = layout.tablet ? 72 : 104, camera = layout.tablet ? 104 : 130;
   const float gap = layout.tablet ? 14 : 20;
   const float needed = (width + 8) * float(frames) + add + gap + camera;
   if (ImGui::IsWindowHovered()) scroll -= 60 * ImGui::GetIO().MouseWheel;
   scroll = std::clamp(scroll, 0.0f, std::max(0.0f, needed - row.w));
   row.x -= scroll;
-  for (int f = 0; f < frames && f < int(work.document().frames.size()); ++f) {
-    card(work, f, {row.x, row.y, width, row.h}, slim, layout.tablet);
+  for (int f = 0; f < frames && f < int(app.document().frames.size()); ++f) {
+    card(app, f, {row.x, row.y, width, row.h}, slim, layout.tablet);
     row.x += width + 8;
   }
   const Rect more{row.x, row.y, add, row.h};
@@ -176,9 +160,9 @@ void drawing_strip(Work& work, const Layout& layout) {
   if (!slim && !layout.tablet)
     write({more.x, more.centre().y + 4, more.w, 18}, Font::caption, t.muted, "Add drawing",
           Align::centre);
-  if (press.clicked) work.ask(Command::add_drawings);
+  if (press.clicked) app.ask("add_drawings");
   const float tall = slim ? 30 : 54;
-  camera_choice(work, {more.right() + gap, row.y + (row.h - tall) / 2, camera, tall}, slim);
+  camera_choice(app, {more.right() + gap, row.y + (row.h - tall) / 2, camera, tall}, slim);
 }
 
 }  // namespace artisketch

@@ -2,39 +2,15 @@
 #include <cmath>
 
 #include "document/edit.h"
+#include "editor/canvas/controls.h"
 #include "editor/shell/panels.h"
 
 namespace artisketch {
 
 namespace {
 
-Look command_look(const Work& work, Command command, Look look) {
-  const CommandWords& words = words_of(command);
-  look.icon = words.icon;
-  if (look.hint.empty()) look.hint = words.hint ? words.hint : words.name;
-  if (const std::string lacks = what_it_lacks(work, command); !lacks.empty()) look.hint = lacks;
-  look.key = key_words(words, work.platform.mac_keys());
-  look.enabled = look.enabled && available(work, command);
-  return look;
-}
-
-}  // namespace
-
-void command_button(Work& work, Command command, const Rect& place, Look look) {
-  if (button(words_of(command).name, place, command_look(work, command, std::move(look))))
-    work.ask(command);
-}
-
-void command_icon(Work& work, Command command, const Rect& place, Look look) {
-  look.quiet = true;
-  if (icon_button(words_of(command).name, place, command_look(work, command, std::move(look))))
-    work.ask(command);
-}
-
-namespace {
-
-std::string stage_in_words(const Work& work) {
-  const Progress progress = work.jobs.progress();
+std::string stage_in_words(const App& app) {
+  const Progress progress = app.services.jobs.progress();
   std::string words = progress.stage;
   if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = char(words[0] - 'a' + 'A');
   if (progress.parts > 1)
@@ -44,10 +20,10 @@ std::string stage_in_words(const Work& work) {
 }
 
 // What takes the place of Reconstruct while it runs: how far it is, and a way out.
-void progress_button(Work& work, const Rect& place) {
+void progress_button(App& app, const Rect& place) {
   const Theme& t = theme();
   const Press press = press_area("Cancel", place);
-  const float done = float(std::clamp(work.jobs.progress().fraction, 0.0, 1.0));
+  const float done = float(std::clamp(app.services.jobs.progress().fraction, 0.0, 1.0));
   draw().AddRectFilled(place.min(), place.max(), t.control, kRadius);
   draw().PushClipRect(place.min(), {place.x + place.w * done, place.bottom()}, true);
   draw().AddRectFilled(place.min(), place.max(), t.selection, kRadius);
@@ -57,7 +33,7 @@ void progress_button(Work& work, const Rect& place) {
   // A glint runs along: it goes on, also where a stage takes long.
   constexpr double kGlintSeconds = 1.4;
   constexpr float kGlint = 0.2f;  // of the bar
-  const float at = float(std::fmod(ImGui::GetTime() / kGlintSeconds, 1.0)) * (1 + kGlint);
+  const float at = float(std::fmod(app.services.now / kGlintSeconds, 1.0)) * (1 + kGlint);
   const Rect bar{place.x + 2, place.bottom() - 3, place.w - 4, 2};
   draw().AddRectFilled({bar.x + bar.w * std::max(0.0f, at - kGlint), bar.y},
                        {bar.x + bar.w * std::min(1.0f, at), bar.bottom()}, t.text, 1);
@@ -66,44 +42,44 @@ void progress_button(Work& work, const Rect& place) {
   write(row.cut_right(text_width(Font::body_bold, cancel)), Font::body_bold,
         press.hovered ? t.text : t.accent, cancel);
   row.cut_right(10);
-  write(row, Font::body, t.text, stage_in_words(work));
+  write(row, Font::body, t.text, stage_in_words(app));
   if (press.hovered) tooltip("Stop; the old model stays", "Esc");
-  if (press.clicked) work.ask(Command::cancel_job);
+  if (press.clicked) app.ask("step_back");
 }
 
-void mode_switch(Work& work, const Rect& place) {
-  constexpr Command kMode[kModes] = {Command::mode_outline, Command::mode_skeleton,
-                                     Command::mode_pose, Command::mode_result};
+void mode_switch(App& app, const Rect& place) {
+  constexpr const char* kMode[kModes] = {"mode_outline", "mode_skeleton", "mode_pose",
+                                         "mode_result"};
   std::vector<std::pair<std::string, Look>> choices;
   for (int m = 0; m < kModes; ++m) {
-    const CommandWords& words = words_of(kMode[m]);
+    const Command& words = command(app, kMode[m]);
     Look look;
     look.icon = words.icon;
-    look.hint = words.hint;
+    look.hint = words.about;
     look.key = key_words(words, false);
-    look.on = work.view.welcome ? Mode(m) == Mode::result : work.view.mode == Mode(m);
+    look.on = app.view.welcome ? Mode(m) == Mode::result : app.view.mode == Mode(m);
     look.id = std::string(words.name) + " mode";
     choices.emplace_back(words.name, look);
   }
   const int clicked = segments(choices, place);
-  if (clicked >= 0) work.ask(kMode[clicked]);
+  if (clicked >= 0) app.ask(kMode[clicked]);
 }
 
-std::string state_of_file(const Work& work) {
-  if (work.view.welcome) return "";
-  if (work.unsaved()) return "Edited";
-  return work.place.empty() ? "" : "Saved";
+std::string state_of_file(const App& app) {
+  if (app.view.welcome) return "";
+  if (app.session.unsaved()) return "Edited";
+  return app.session.file.place.empty() ? "" : "Saved";
 }
 
-void name_and_state(const Work& work, Rect row) {
+void name_and_state(const App& app, Rect row) {
   const Theme& t = theme();
-  const std::string title = work.view.welcome              ? "ArtiSketch"
-                            : work.document().name.empty() ? "Untitled"
-                                                           : work.document().name;
+  const std::string title = app.view.welcome              ? "ArtiSketch"
+                            : app.document().name.empty() ? "Untitled"
+                                                          : app.document().name;
   const float width = std::min(text_width(Font::title, title) + 1, row.w);
   write(row.cut_left(width), Font::title, t.text, title);
   row.cut_left(12);
-  const std::string state = state_of_file(work);
+  const std::string state = state_of_file(app);
   if (state == "Saved")
     write_icon({row.x + 6, row.y + row.h / 2}, IconSize::small, t.muted, icon::kCheck);
   if (state == "Saved") row.cut_left(18);
@@ -112,7 +88,7 @@ void name_and_state(const Work& work, Rect row) {
 
 }  // namespace
 
-void top_bar(Work& work, const Layout& layout) {
+void top_bar(App& app, const Layout& layout) {
   const Theme& t = theme();
   {
     const Panel panel("Top", layout.top, t.panel);
@@ -124,52 +100,50 @@ void top_bar(Work& work, const Layout& layout) {
     look.icon = icon::kMenu;
     look.quiet = true;
     if (icon_button("Menu", menu, look)) ImGui::OpenPopup("main menu");
-    main_menu(work, menu);
+    main_menu(app, menu);
     row.cut_left(touch ? 8 : 12);
 
     row.cut_right(touch ? 0 : 4);
-    command_icon(work, Command::help, row.cut_right(size).middle(size, size), {});
+    command_icon(app, "help", row.cut_right(size).middle(size, size), {});
     row.cut_right(touch ? 4 : 8);
     const float high = touch ? 40 : 34;
-    Look exporting;
-    exporting.on = work.view.exporting;
-    command_button(work, Command::export_model, row.cut_right(92).middle(92, high), exporting);
+    command_button(app, "export", row.cut_right(92).middle(92, high));
     row.cut_right(8);
-    const bool busy = work.busy();
+    const bool busy = app.busy();
     const float make_width = busy            ? (layout.tablet ? 220.0f : 232.0f)
                              : layout.tablet ? 136.0f
                                              : 124.0f;
     const Rect make = row.cut_right(make_width).middle(make_width, high);
     if (busy) {
-      progress_button(work, make);
+      progress_button(app, make);
     } else {
       Look primary;
-      primary.primary = work.view.mode != Mode::result && !work.view.welcome;
-      command_button(work, Command::reconstruct, make, primary);
+      primary.primary = app.view.mode != Mode::result && !app.view.welcome;
+      command_button(app, "reconstruct", make, primary);
     }
     row.cut_right(16);
     Look redo, undo;
-    if (work.history.can_redo()) redo.hint = "Redo " + work.history.redo_name();
-    if (work.history.can_undo()) undo.hint = "Undo " + work.history.undo_name();
-    command_icon(work, Command::redo, row.cut_right(size).middle(size, size), redo);
+    if (app.session.history.can_redo()) redo.hint = "Redo " + app.session.history.redo_name();
+    if (app.session.history.can_undo()) undo.hint = "Undo " + app.session.history.undo_name();
+    command_icon(app, "redo", row.cut_right(size).middle(size, size), redo);
     row.cut_right(6);
-    command_icon(work, Command::undo, row.cut_right(size).middle(size, size), undo);
+    command_icon(app, "undo", row.cut_right(size).middle(size, size), undo);
 
     if (!layout.tablet) {
       const float width = layout.compact ? 420 : 476;
       Rect modes = layout.top.middle(width, 34);
       // A long progress line pushes the modes aside rather than under itself.
       modes.x = std::min(modes.x, row.right() - width - 12);
-      mode_switch(work, modes);
+      mode_switch(app, modes);
       row.w = std::max(0.0f, modes.x - row.x - 16);
     }
-    name_and_state(work, row);
+    name_and_state(app, row);
     if (!layout.tablet)
       hairline({0, layout.top.bottom() - 1}, {layout.top.right(), layout.top.bottom()});
   }
   if (!layout.tablet) return;
   const Panel panel("Modes", layout.modes, t.panel);
-  mode_switch(work, layout.modes.inset(12, 4));
+  mode_switch(app, layout.modes.inset(12, 4));
   hairline({0, layout.modes.bottom() - 1}, {layout.modes.right(), layout.modes.bottom()});
 }
 

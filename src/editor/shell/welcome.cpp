@@ -2,26 +2,28 @@
 #include <cmath>
 
 #include "document/edit.h"
-#include "editor/session/actions.h"
+#include "editor/canvas/controls.h"
+#include "editor/canvas/sketch_paint.h"
+#include "editor/session/files.h"
 #include "editor/shell/panels.h"
 
 namespace artisketch {
 namespace {
 
-void drawings_beside(Work& work, Rect column) {
+void drawings_beside(App& app, Rect column) {
   const Theme& t = theme();
-  const int frames = int(work.document().frames.size());
+  const int frames = int(app.document().frames.size());
   const double duration = 1;  // seconds per key of the clip
   const float size = std::min(132.0f, (column.h + 12) / float(std::max(1, frames)) - 12);
-  const int lit = int(std::lround(work.view.time / duration));
+  const int lit = int(std::lround(app.session.playback.time / duration));
   for (int f = 0; f < frames; ++f) {
-    const Frame& frame = work.document().frames[std::size_t(f)];
+    const Frame& frame = app.document().frames[std::size_t(f)];
     const Rect card = Rect{column.x, column.y, size, size};
     column.cut_top(size + 12);
-    thumbnail(work, frame, card);
+    thumbnail(app, frame, card);
     draw().AddRect(card.min(), card.max(), f == lit ? t.accent : t.line, kRadius, 0,
                    f == lit ? 2.5f : 1.0f);
-    const std::string name = drawing_words(work.document(), f);
+    const std::string name = drawing_words(app.document(), f);
     const Rect label{card.x + 6, card.bottom() - 20, card.w - 9, 16};
     draw().AddRectFilled(  // legible over feet
         {label.x - 3, label.y},
@@ -31,18 +33,18 @@ void drawings_beside(Work& work, Rect column) {
   }
 }
 
-void step_card(Work& work, const Rect& card, int number, const char* title, const char* words) {
+void step_card(App& app, const Rect& card, int number, const char* title, const char* words) {
   const Theme& t = theme();
   draw().AddRectFilled(card.min(), card.max(), t.control, kRadiusCard);
   const Rect picture = Rect{card.x + 8, card.y + 8, card.h - 16, card.h - 16};
-  if (work.has_frame()) {
-    const Frame& frame = work.document().frames[0];
-    thumbnail(work, frame, picture, number == 2);
+  if (app.has_frame()) {
+    const Frame& frame = app.document().frames[0];
+    thumbnail(app, frame, picture, number == 2);
     if (number == 3) {
       const float zoom = std::min(picture.w / float(frame.width), picture.h / float(frame.height));
       const OnScreen on{{picture.x + (picture.w - zoom * float(frame.width)) / 2, picture.y}, zoom};
-      paint_bones(draw(), work.document().skeleton, frame.pose, frame_camera(work.document(), 0),
-                  on, {});
+      paint_bones(draw(), app.document().skeleton, frame.pose, frame_camera(app.document(), 0), on,
+                  {});
     }
   }
   Rect text = card.inset(0, 14);
@@ -57,7 +59,7 @@ void step_card(Work& work, const Rect& card, int number, const char* title, cons
   write_lines(text, Font::caption, t.muted, words, 19);
 }
 
-void how_it_is_done(Work& work, Rect column) {
+void how_it_is_done(App& app, Rect column) {
   const Theme& t = theme();
   column = column.inset(30, 24);
   column.cut_top(8);
@@ -66,13 +68,13 @@ void how_it_is_done(Work& work, Rect column) {
   write(column.cut_top(32), Font::headline, t.text, "Get it in 3D, ready to move.");
   column.cut_top(low ? 12 : 20);
   const float high = low ? 92 : 114;
-  step_card(work, column.cut_top(high), 1, "Drop two to four drawings",
-            "Any pose, any side. Sprites and scans work; so does blank paper.");
+  step_card(app, column.cut_top(high), 1, "Drop two to four drawings",
+            "Any pose, any side. Sprites and scans app; so does blank paper.");
   column.cut_top(12);
-  step_card(work, column.cut_top(high), 2, "Outline each part",
+  step_card(app, column.cut_top(high), 2, "Outline each part",
             "One colour per part. Trace finds the edge; Cut splits an arm at the elbow.");
   column.cut_top(12);
-  step_card(work, column.cut_top(high), 3, "Pose the skeleton",
+  step_card(app, column.cut_top(high), 3, "Pose the skeleton",
             "Drag joints until they match. Calibrate does the last bit; the model appears.");
   column.cut_top(low ? 12 : 18);
   const Rect drop = column.cut_top(low ? 92 : 110);
@@ -84,14 +86,14 @@ void how_it_is_done(Work& work, Rect column) {
   Look choose;
   choose.primary = true;
   choose.icon = icon::kFolderImage;
-  if (button("Choose files", inside.middle(148, 34), choose)) work.ask(Command::add_drawings);
+  if (button("Choose files", inside.middle(148, 34), choose)) app.ask("add_drawings");
   column.cut_top(14);
   Rect row = column.cut_top(38);
   const float half = (row.w - 12) / 2;
-  command_button(work, Command::blank_drawing, row.cut_left(half));
+  command_button(app, "blank_drawing", row.cut_left(half));
   Look open;
   open.icon = icon::kFolderOutline;
-  if (button("Open document", row.cut_right(half), open)) work.ask(Command::open);
+  if (button("Open document", row.cut_right(half), open)) app.ask("open");
   if (column.h < 30) return;
   Rect foot = column.cut_bottom(24);
   write_icon({foot.x + 8, foot.centre().y}, IconSize::small, t.muted, icon::kLockOutline);
@@ -100,25 +102,26 @@ void how_it_is_done(Work& work, Rect column) {
 }
 
 // Asked for once, and there when it came.
-const Drawing* example_picture(Work& work, const std::string& name) {
-  if (const auto known = work.example_pictures.find(name); known != work.example_pictures.end())
-    return work.drawings.at(known->second);
-  work.example_pictures[name] = "";
-  work.platform.load_example_picture(name, [&work, name](std::string png) {
-    const Result<std::string> key = work.drawings.add(std::move(png), name);
-    if (key) work.example_pictures[name] = *key;
+const Drawing* example_picture(App& app, const std::string& name) {
+  if (const auto known = app.services.example_pictures.find(name);
+      known != app.services.example_pictures.end())
+    return app.services.drawings.at(known->second);
+  app.services.example_pictures[name] = "";
+  app.services.platform.load_example_picture(name, [&app, name](std::string png) {
+    const Result<std::string> key = app.services.drawings.add(std::move(png), name);
+    if (key) app.services.example_pictures[name] = *key;
   });
   return nullptr;
 }
 
-void gallery(Work& work, const Rect& place) {
+void gallery(App& app, const Rect& place) {
   const Theme& t = theme();
   Rect column = place.inset(24, 12);
   Rect head = column.cut_top(22);
   write(head.cut_left(72), Font::body_bold, t.text, "Examples");
   write(head, Font::caption, t.muted, "open one and change anything");
   column.cut_top(6);
-  const std::vector<ExampleCard>& examples = work.examples;
+  const std::vector<ExampleCard>& examples = app.services.examples;
   if (examples.empty()) return;
   const float width = std::min(178.0f, (column.w + 12) / float(examples.size()) - 12);
   for (std::size_t i = 0; i < examples.size(); ++i) {
@@ -129,10 +132,10 @@ void gallery(Work& work, const Rect& place) {
     const Press press = press_area("Example " + name, card);
     draw().AddRectFilled(card.min(), card.max(), press.hovered ? t.hover : t.control, kRadiusCard);
     if (on) draw().AddRect(card.min(), card.max(), t.accent, kRadiusCard, 0, 1.5f);
-    if (press.clicked) return open_example(work, examples[i].name, false);
+    if (press.clicked) return open_example(app, examples[i].name, false);
     card = card.inset(6, 4);
     const Rect picture = card.cut_left(std::min(card.h, card.w / 2));
-    const Drawing* model = example_picture(work, examples[i].name);
+    const Drawing* model = example_picture(app, examples[i].name);
     if (model) {
       const float scale =
           std::min(picture.w / float(model->image.width), picture.h / float(model->image.height));
@@ -153,7 +156,7 @@ void gallery(Work& work, const Rect& place) {
 
 }  // namespace
 
-void welcome(Work& work, const Layout& layout, float pixel_ratio) {
+void welcome(App& app, const Layout& layout, float pixel_ratio) {
   const Theme& t = theme();
   Rect all{0, layout.top.bottom(), layout.top.w,
            (layout.tablet ? layout.strip.bottom() : layout.status.y) - layout.top.bottom()};
@@ -165,41 +168,41 @@ void welcome(Work& work, const Layout& layout, float pixel_ratio) {
     const Panel panel("Hero", all, t.canvas);
     const ImU32 top = t.dark ? rgb(0x23262C) : rgb(0xEDEFF2);
     draw().AddRectFilledMultiColor(all.min(), all.max(), top, top, t.canvas, t.canvas);
-    if (work.built) {
+    if (app.session.built) {
       Rect stage = all;
       if (layout.tablet) stage.cut_top(44);  // below its name
-      const Eye eye = orbit_eye(work.view.orbit, stage);
-      work.built->picture->pose(work.shown_pose(), work.shown_footing());
+      const Eye eye = orbit_eye(app.view.orbit, stage);
+      app.session.built->picture->pose(app.shown_pose(), app.shown_footing());
       PaintOptions options;
       options.ground = true;
       options.dark = t.dark;
-      show_model(*work.built, eye, options, work.model_seen, 1, pixel_ratio);
+      show_model(*app.session.built, eye, options, app.services.model_seen, 1, pixel_ratio);
       const Press press = press_area("Turn the model", stage);
       if (press.held) {
-        work.view.orbit.yaw -= 0.01 * ImGui::GetIO().MouseDelta.x;
-        work.view.orbit.pitch =
-            std::clamp(work.view.orbit.pitch + 0.01 * ImGui::GetIO().MouseDelta.y, -1.5, 1.5);
+        app.view.orbit.yaw -= 0.01 * ImGui::GetIO().MouseDelta.x;
+        app.view.orbit.pitch =
+            std::clamp(app.view.orbit.pitch + 0.01 * ImGui::GetIO().MouseDelta.y, -1.5, 1.5);
       }
       Rect head = all.inset(24, 0).cut_top(60);
-      const std::string name = capitalised(work.document().name);
+      const std::string name = capitalised(app.document().name);
       write(head.cut_left(text_width(Font::title, name) + 10), Font::title, t.text, name);
-      const int count = int(work.document().frames.size());
+      const int count = int(app.document().frames.size());
       const char* numbers[] = {"no", "one drawing", "two drawings", "three drawings",
                                "four drawings"};
       write(head, Font::caption, t.muted,
             std::string("made from these ") + (count < 5 ? numbers[count] : "drawings") +
                 ". Drag to turn it, Space stops it.");
-      drawings_beside(work, Rect{all.x + 24, all.y + 60, 132, all.h - 72});
+      drawings_beside(app, Rect{all.x + 24, all.y + 60, 132, all.h - 72});
     }
   }
   {
     const Panel panel("Examples", examples, t.panel);
     hairline({examples.x, examples.y}, {examples.right(), examples.y + 1});
-    gallery(work, examples);
+    gallery(app, examples);
   }
   const Panel panel("Steps", steps, t.panel);
   hairline({steps.x, steps.y}, {steps.x + 1, steps.bottom()});
-  how_it_is_done(work, steps);
+  how_it_is_done(app, steps);
 }
 
 }  // namespace artisketch

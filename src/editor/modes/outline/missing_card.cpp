@@ -1,26 +1,28 @@
-// What a drawing lacks, said once on tablets, whose sheet has no room for rings in all drawings.
+#include "editor/modes/outline/missing_card.h"
+
 #include "document/edit.h"
 #include "editor/canvas/pointer.h"
-#include "editor/shell/panels.h"
+#include "editor/session/part_fit.h"
+#include "editor/ui/ui.h"
 
 namespace artisketch {
 namespace {
 
 // While most are missing, they are still being drawn.
-std::vector<int> missing_parts(const Work& work) {
+std::vector<int> missing_parts(const App& app) {
   std::vector<int> missing;
-  const std::vector<int> parts = parts_to_draw(work.document());
+  const std::vector<int> parts = parts_to_draw(app.document());
   for (const int joint : parts)
-    if (fit_of(work, joint, work.view.frame) == Fit::missing) missing.push_back(joint);
+    if (fit_of(app, joint, app.session.selection.frame) == Fit::missing) missing.push_back(joint);
   if (2 * missing.size() > parts.size()) missing.clear();
   return missing;
 }
 
 // "Forearm L, Hand L and Foot L"
-std::string listed(const Work& work, const std::vector<int>& joints) {
+std::string listed(const App& app, const std::vector<int>& joints) {
   std::string words;
   for (std::size_t i = 0; i < joints.size(); ++i)
-    words += (i == 0 ? "" : i + 1 == joints.size() ? " and " : ", ") + part_words(work, joints[i]);
+    words += (i == 0 ? "" : i + 1 == joints.size() ? " and " : ", ") + part_words(app, joints[i]);
   return words;
 }
 
@@ -30,21 +32,20 @@ std::string counted(std::size_t parts) {
 
 }  // namespace
 
-std::optional<Rect> missing_card_place(const Work& work, const Layout& layout) {
-  const View& view = work.view;
+std::optional<Rect> missing_card_place(const App& app, const Layout& layout) {
+  const View& view = app.view;
   if (!layout.tablet || layout.swapped || view.exporting || view.mode != Mode::outline ||
-      work.outline || !work.has_frame() || view.missing_seen.count(view.frame) > 0 ||
-      missing_parts(work).empty())
+      app.session.new_outline || !app.has_frame() ||
+      app.session.missing_seen.count(app.session.selection.frame) > 0 || missing_parts(app).empty())
     return std::nullopt;
   return Rect{12, layout.canvas.bottom() - 96, layout.view.x - 24, 84};
 }
 
-void missing_card(Work& work, const Layout& layout) {
-  const std::optional<Rect> place = missing_card_place(work, layout);
+void missing_card(App& app, const Layout& layout) {
+  const std::optional<Rect> place = missing_card_place(app, layout);
   if (!place) return;
   const Theme& t = theme();
-  View& view = work.view;
-  const std::vector<int> missing = missing_parts(work);
+  const std::vector<int> missing = missing_parts(app);
   const Panel panel("Missing", *place, t.panel, Panel::Layer::floating, kRadiusPanel);
   Rect row = place->inset(12);
   draw().AddCircle({row.x + 10, row.y + 14}, 6, t.warning, 0, 2);
@@ -54,22 +55,23 @@ void missing_card(Work& work, const Layout& layout) {
   close.quiet = true;
   close.hint = "Leave them missing";
   if (icon_button("Leave missing", row.cut_right(44).middle(44, 44), close))
-    view.missing_seen.insert(view.frame);
+    app.session.missing_seen.insert(app.session.selection.frame);
   row.cut_right(4);
   Look hide;
   hide.icon = icon::kEyeOff;
   hide.id = "Hide all missing";
   hide.hint = "This drawing doesn't show them";
   if (button("Hidden here", row.cut_right(132).middle(132, 44), hide)) {
-    Document next = work.document();
-    for (const int joint : missing) next = with_hidden(std::move(next), view.frame, joint, true);
-    work.commit("Hide " + counted(missing.size()), std::move(next));
+    Document next = app.document();
+    for (const int joint : missing)
+      next = with_hidden(std::move(next), app.session.selection.frame, joint, true);
+    app.session.commit("Hide " + counted(missing.size()), std::move(next));
   }
   row.cut_right(8);
   write(row.cut_top(24), Font::body_bold, t.text,
         counted(missing.size()) + (missing.size() == 1 ? " is" : " are") + " missing in " +
-            drawing_words(work.document(), view.frame));
-  write_lines(row, Font::caption, t.muted, listed(work, missing) + ". Other drawings can stand in.",
+            drawing_words(app.document(), app.session.selection.frame));
+  write_lines(row, Font::caption, t.muted, listed(app, missing) + ". Other drawings can stand in.",
               16);
 }
 

@@ -1,17 +1,20 @@
 #include "editor/modes/outline/new_outline.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "document/edit.h"
-#include "editor/canvas/tools.h"
+#include "editor/canvas/pointer.h"
+#include "editor/canvas/sketch_paint.h"
+#include "editor/ui/ui.h"
 
 namespace artisketch {
 namespace {
 
-void find_candidates(const Work& work, NewOutline& fresh) {
+void find_candidates(const App& app, NewOutline& fresh) {
   fresh.joints.clear();
   fresh.reasons.clear();
-  for (Candidate& candidate : joint_candidates(work.document(), fresh.frame, fresh.line)) {
+  for (Candidate& candidate : joint_candidates(app.document(), fresh.frame, fresh.line)) {
     fresh.joints.push_back(candidate.joint);
     fresh.reasons.push_back(std::move(candidate.reason));
   }
@@ -29,42 +32,48 @@ int part_of(const Document& document, int joint) {
 
 }  // namespace
 
-void propose(Work& work, NewOutline fresh) {
-  if (work.outline) keep_outline(work);
-  fresh.frame = work.view.frame;
-  fresh.arrived = ImGui::GetFrameCount();
-  find_candidates(work, fresh);
-  work.view.contour = -1;
-  work.outline = std::move(fresh);
+void propose(App& app, NewOutline fresh) {
+  if (app.session.new_outline) keep_outline(app);
+  fresh.frame = app.session.selection.frame;
+  fresh.arrived = app.services.frames;
+  find_candidates(app, fresh);
+  app.session.selection.contour = -1;
+  app.session.new_outline = std::move(fresh);
 }
 
-void propose_again(Work& work, std::optional<Traced> traced) {
-  if (!traced) return;
-  NewOutline& fresh = *work.outline;
-  fresh.line = std::move(traced->outline);
-  fresh.holes = std::move(traced->holes);
-  find_candidates(work, fresh);
+void trace_again(App& app, double tolerance) {
+  constexpr double kLeast = 0.01;
+  tolerance = std::clamp(tolerance, kLeast, 1.0);
+  if (std::abs(tolerance - app.view.tolerance) < 1e-6) return;
+  app.view.tolerance = tolerance;
+  NewOutline& fresh = *app.session.new_outline;
+  std::optional<Traced> traced_anew =
+      traced(fresh.tracing->image, fresh.tracing->levels, tolerance);
+  if (!traced_anew) return;
+  fresh.line = std::move(traced_anew->outline);
+  fresh.holes = std::move(traced_anew->holes);
+  find_candidates(app, fresh);
 }
 
-void keep_outline(Work& work) {
-  const NewOutline fresh = std::move(*work.outline);
-  work.outline.reset();
+void keep_outline(App& app) {
+  const NewOutline fresh = std::move(*app.session.new_outline);
+  app.session.new_outline.reset();
   const int joint = fresh.joints[std::size_t(fresh.choice)];
-  Document next = with_contour(work.document(), fresh.frame, {joint, fresh.line, ""});
+  Document next = with_contour(app.document(), fresh.frame, {joint, fresh.line, ""});
   const int contour = int(next.frames[std::size_t(fresh.frame)].contours.size()) - 1;
   for (const Polyline& hole : fresh.holes)
     next = with_contour(std::move(next), fresh.frame, {joint, hole, ""});
-  work.commit(fresh.verb + " " + part_words(work, joint), std::move(next));
-  if (fresh.frame != work.view.frame) return;
-  work.view.joint = joint;
-  work.view.contour = contour;
+  app.session.commit(fresh.verb + " " + part_words(app, joint), std::move(next));
+  if (fresh.frame != app.session.selection.frame) return;
+  app.session.selection.joint = joint;
+  app.session.selection.contour = contour;
 }
 
-void reassign(Work& work, int joint) {
-  joint = part_of(work.document(), joint);
-  work.view.picking_joint = false;
-  if (work.outline) {
-    NewOutline& fresh = *work.outline;
+void reassign(App& app, int joint) {
+  joint = part_of(app.document(), joint);
+  app.session.next.picks_joint = false;
+  if (app.session.new_outline) {
+    NewOutline& fresh = *app.session.new_outline;
     const auto known = std::find(fresh.joints.begin(), fresh.joints.end(), joint);
     fresh.choice = int(known - fresh.joints.begin());
     if (known != fresh.joints.end()) return;
@@ -72,36 +81,47 @@ void reassign(Work& work, int joint) {
     fresh.reasons.push_back("as you chose");
     return;
   }
-  const int contour = work.view.contour;
-  if (contour < 0 || work.frame().contours[std::size_t(contour)].joint == joint) return;
-  work.commit("Give to " + part_words(work, joint),
-              with_contour_joint(work.document(), work.view.frame, contour, joint));
-  work.view.joint = joint;
+  const int contour = app.session.selection.contour;
+  if (contour < 0 || app.frame().contours[std::size_t(contour)].joint == joint) return;
+  app.session.commit(
+      "Give to " + part_words(app, joint),
+      with_contour_joint(app.document(), app.session.selection.frame, contour, joint));
+  app.session.selection.joint = joint;
 }
 
-bool picks_joint(Work& work, const Pointer& p, const OnScreen& on) {
-  const bool wanted = work.outline ? work.outline->frame == work.view.frame
-                                   : work.view.contour >= 0 && (work.view.picking_joint ||
-                                                                work.view.tool() == Tool::edit);
-  if (!wanted || work.document().skeleton.joints.empty()) return false;
-  const std::vector<Transform> posed = posed_joints(work.document().skeleton, work.frame().pose);
-  const FrameCamera camera = frame_camera(work.document(), work.view.frame);
-  const int joint = joint_at(posed, camera, on, p.screen, kReach);
-  if (joint < 0 || !p.hovered) return false;
-  const ImVec2 at = on.of(camera.project(posed[std::size_t(joint)].translation()));
-  const int part = part_of(work.document(), joint);
-  if (!work.outline && !work.view.picking_joint && part == work.view.joint) return false;
-  draw().AddCircle(at, kReach, theme().accent, 0, 2);
-  if (!p.held) tooltip("Give it to " + part_words(work, part), "");
-  if (!p.pressed) return false;
-  reassign(work, part);
-  return true;
+Offer offer_under(const App& app, const Pointer& p, const Stage& stage) {
+  const std::optional<NewOutline>& fresh = app.session.new_outline;
+  const bool picking = app.session.next.picks_joint;
+  const Selection& selection = app.session.selection;
+  const bool wanted = fresh ? fresh->frame == selection.frame
+                            : selection.contour >= 0 && (picking || app.tool().gives_outlines());
+  if (!wanted || !p.hovered || app.document().skeleton.joints.empty()) return {};
+  const std::vector<Transform> posed = posed_joints(app.document().skeleton, app.frame().pose);
+  const FrameCamera camera = frame_camera(app.document(), selection.frame);
+  const int joint = joint_at(posed, camera, stage.on, p.screen, kReach);
+  if (joint < 0) return {};
+  const int part = part_of(app.document(), joint);
+  if (!fresh && !picking && part == selection.joint) return {};
+  return {part, stage.on.of(camera.project(posed[std::size_t(joint)].translation()))};
 }
 
-void pending_outline(Work& work, const Rect& place, const OnScreen& on) {
+void paint_offer(const App& app, const Offer& offer, const Pointer& p) {
+  draw().AddCircle(offer.at, kReach, theme().accent, 0, 2);
+  if (!p.held) tooltip("Give it to " + part_words(app, offer.part), "");
+}
+
+void answer_pending(App& app, const Pointer& p) {
+  NewOutline& fresh = *app.session.new_outline;
+  // The Enter that closed it does not keep it as well.
+  if (fresh.frame != app.session.selection.frame || fresh.arrived == app.services.frames) return;
+  if (p.tab) fresh.choice = (fresh.choice + 1) % int(fresh.joints.size());
+  if (p.enter) keep_outline(app);
+}
+
+void paint_pending(const App& app, const Rect& place, const OnScreen& on) {
   const Theme& t = theme();
-  NewOutline& fresh = *work.outline;
-  if (fresh.frame != work.view.frame) return;
+  const NewOutline& fresh = *app.session.new_outline;
+  if (fresh.frame != app.session.selection.frame) return;
   const int joint = fresh.joints[std::size_t(fresh.choice)];
   OutlineLook look;
   look.dashed = true;
@@ -111,7 +131,7 @@ void pending_outline(Work& work, const Rect& place, const OnScreen& on) {
   look.fill = 0;
   for (const Polyline& hole : fresh.holes) paint_outline(draw(), hole, on, joint_tint(joint), look);
   const Box2 box = bounds(std::span(&fresh.line, 1));
-  const JointWords words = joint_words(work.document().skeleton.joints[std::size_t(joint)].name);
+  const JointWords words = joint_words(app.document().skeleton.joints[std::size_t(joint)].name);
   const float width = std::max(164.0f, text_width(Font::title, words.whole()) + 60);
   const ImVec2 side = on.of({box.min().x(), box.center().y()});
   Rect chip{side.x - width - 14, side.y - 31, width, 62};
@@ -128,11 +148,6 @@ void pending_outline(Work& work, const Rect& place, const OnScreen& on) {
   write({chip.x + 57, chip.y + 36, 40, 18}, Font::caption, t.muted, "keep");
   key_cap({chip.x + 94, chip.y + 36, 32, 18}, "Tab");
   write({chip.x + 131, chip.y + 36, 40, 18}, Font::caption, t.muted, "next");
-  // The Enter that closed it does not keep it as well.
-  if (ImGui::GetIO().WantTextInput || fresh.arrived == ImGui::GetFrameCount()) return;
-  if (ImGui::IsKeyPressed(ImGuiKey_Tab))
-    fresh.choice = (fresh.choice + 1) % int(fresh.joints.size());
-  if (ImGui::IsKeyPressed(ImGuiKey_Enter, false)) keep_outline(work);
 }
 
 }  // namespace artisketch

@@ -1,23 +1,30 @@
 // A new outline from when it is drawn or traced until it is kept: whose part it is.
 #pragma once
 
-#include "editor/canvas/pointer.h"
+#include "editor/session/app.h"
 
 namespace artisketch {
 
 // Makes it the pending one, with the parts that it may be; one that was pending is kept.
-void propose(Work& work, NewOutline fresh);
-// Another line for the same gesture, or none: then nothing is pending any more.
-void propose_again(Work& work, std::optional<Traced> traced);
-void keep_outline(Work& work);
+void propose(App& app, NewOutline fresh);
+// The pending outline, which was traced, with another tolerance.
+void trace_again(App& app, double tolerance);
+void keep_outline(App& app);
 // Whose the pending outline is, or else the chosen one.
-void reassign(Work& work, int joint);
+void reassign(App& app, int joint);
 
-// The pending outline, dashed, with a chip that says whose it will be. Enter keeps, Tab goes on.
-void pending_outline(Work& work, const Rect& place, const OnScreen& on);
+// The part that a press would give the pending outline to, or the chosen one; −1: none.
+struct Offer {
+  int part = -1;
+  ImVec2 at;  // its joint
+};
+Offer offer_under(const App& app, const Pointer& pointer, const Stage& stage);
+void paint_offer(const App& app, const Offer& offer, const Pointer& pointer);
 
-// A press on a joint that says whose outline it is, where one is pending or its joint is being
-// picked; true where the press is used up.
-bool picks_joint(Work& work, const Pointer& p, const OnScreen& on);
+// Enter keeps the pending outline, Tab goes on to the next part that it may be.
+void answer_pending(App& app, const Pointer& pointer);
+// Dashed, with a chip that says whose it will be.
+//   place  where no tools float
+void paint_pending(const App& app, const Rect& place, const OnScreen& on);
 
 }  // namespace artisketch

@@ -1,13 +1,127 @@
-#include "editor/modes/outline/outline_commands.h"
-
+// Outline: what can be done to the chosen outline, or to a new one before it is kept.
 #include "document/edit.h"
-#include "document/mend.h"
-#include "editor/modes/outline/new_outline.h"
+#include "editor/canvas/pointer.h"
+#include "editor/modes/mode_commands.h"
+#include "editor/modes/outline/outline_edits.h"
+#include "editor/ui/icons.h"
 
 namespace artisketch {
 namespace {
 
-constexpr double kReachToClose = 12;  // pixels between the ends of a stroke that then closes
+// ---------------------------------------------------------------- when they can be done
+
+bool is_chosen(const App& app) {
+  return app.has_frame() && app.session.selection.contour >= 0;
+}
+
+bool is_chosen_or_new(const App& app) {
+  return is_chosen(app) || (app.has_frame() && app.session.new_outline);
+}
+
+const Contour& chosen(const App& app) {
+  return app.frame().contours[std::size_t(app.session.selection.contour)];
+}
+
+bool can_join(const App& app) {
+  return is_chosen(app) && app.frame().contours.size() > 1;
+}
+
+bool can_mend(const App& app) {
+  if (!app.has_frame()) return false;
+  const int which = app.session.new_outline ? -1 : app.session.selection.contour;
+  for (const CrossingMark& mark : crossing_marks(app))
+    if (mark.contour == which) return true;
+  return false;
+}
+
+bool can_mirror(const App& app) {
+  if (!is_chosen(app)) return false;
+  const int joint = chosen(app).joint;
+  const int mirror = app.document().skeleton.joints[std::size_t(joint)].mirror;
+  return mirror >= 0 && mirror != joint;
+}
+
+bool can_copy(const App& app) {
+  return is_chosen(app) && app.document().frames.size() > 1;
+}
+
+bool can_go_behind(const App& app) {
+  return is_chosen(app) && app.session.selection.contour > 0;
+}
+
+bool can_go_in_front(const App& app) {
+  return is_chosen(app) && app.session.selection.contour + 1 < int(app.frame().contours.size());
+}
+
+bool can_be_hidden(const App& app) {
+  const int joint = app.session.selection.joint;
+  return app.has_frame() && !app.session.new_outline && joint >= 0 &&
+         contours_of(app.frame(), joint).empty();
+}
+
+// Else Backspace takes the last point of what is being drawn.
+bool can_delete(const App& app) {
+  return is_chosen(app) && !app.tool().under_way();
+}
+
+// ---------------------------------------------------------------- what they do
+
+void redraw(App& app) {
+  const bool anew = app.session.new_outline.has_value();
+  app.session.new_outline.reset();
+  app.take_up(Mode::outline, "draw");
+  app.session.next.redraws = !anew;
+}
+
+void other_joint(App& app) {
+  app.session.next.picks_joint ^= true;
+}
+
+void join(App& app) {
+  const bool joins = !app.session.next.joins, picks = app.session.next.picks_joint;
+  app.take_up(Mode::outline, "edit");
+  app.session.next.joins = joins;
+  app.session.next.picks_joint = picks;
+}
+
+void mend_chosen(App& app) {
+  mend(app, app.session.new_outline ? -1 : app.session.selection.contour);
+}
+
+void mirror(App& app) {
+  Selection& selection = app.session.selection;
+  const std::string name = part_words(app, chosen(app).joint);
+  std::optional<Document> next =
+      with_contour_mirrored(app.document(), selection.frame, selection.contour);
+  if (!next) return;
+  app.session.commit("Mirror " + name, std::move(*next));
+  selection.contour = int(app.frame().contours.size()) - 1;
+  selection.joint = app.frame().contours.back().joint;
+}
+
+void copy_to_next(App& app) {
+  Selection& selection = app.session.selection;
+  const int to = (selection.frame + 1) % int(app.document().frames.size());
+  app.session.commit("Copy " + part_words(app, chosen(app).joint),
+                     with_contour_copied(app.document(), selection.frame, selection.contour, to));
+  selection.frame = to;
+  selection.contour = int(app.frame().contours.size()) - 1;
+}
+
+template <int by>
+void shift(App& app) {
+  Selection& selection = app.session.selection;
+  app.session.commit(part_words(app, chosen(app).joint) + (by < 0 ? " behind" : " in front"),
+                     with_contour_shifted(app.document(), selection.frame, selection.contour, by));
+  selection.contour += by;
+}
+
+void hide_here(App& app) {
+  const int joint = app.session.selection.joint;
+  const bool hidden = is_hidden(app.frame(), joint);
+  app.session.commit((hidden ? "Unhide " : "Hide ") + part_words(app, joint),
+                     with_hidden(app.document(), app.session.selection.frame, joint, !hidden));
+}
 
 // A stretch of points about one of them, gone: as much of the line as its handle stood for.
 std::vector<Vec2> without_point(const Polyline& line, int point, double reach) {
@@ -19,156 +133,119 @@ std::vector<Vec2> without_point(const Polyline& line, int point, double reach) {
   return kept;
 }
 
-void remove(Work& work, const std::string& name) {
-  const View& view = work.view;
-  const Polyline& line = work.frame().contours[std::size_t(view.contour)].line;
-  if (view.point >= 0 && view.tool() == Tool::edit) {
-    std::vector<Vec2> points = without_point(line, view.point, 7 / view.zoom);
-    if (points.size() >= (line.closed ? 3u : 2u)) {
-      work.commit("Delete point", with_contour_points(work.document(), view.frame, view.contour,
-                                                      std::move(points)));
-      return;
-    }
+// The point under the pointer, where enough others stay; else the whole outline.
+void delete_point_or_outline(App& app) {
+  Selection& selection = app.session.selection;
+  const Polyline& line = chosen(app).line;
+  if (selection.point >= 0) {
+    std::vector<Vec2> points = without_point(line, selection.point, 7 / app.view.sketch.zoom);
+    if (points.size() >= (line.closed ? 3u : 2u))
+      return app.session.commit(
+          "Delete point", with_contour_points(app.document(), selection.frame, selection.contour,
+                                              std::move(points)));
   }
-  work.commit("Delete " + name, without_contour(work.document(), view.frame, view.contour));
-  work.view.contour = -1;
+  app.session.commit("Delete " + part_words(app, chosen(app).joint),
+                     without_contour(app.document(), selection.frame, selection.contour));
+  selection.contour = -1;
 }
 
-void redraw(Work& work) {
-  work.stroke.clear();
-  if (work.outline)
-    work.outline.reset();
-  else
-    work.view.redrawing = true;
-  work.view.tool() = Tool::draw;
+// ---------------------------------------------------------------- the rows
+
+std::vector<Command> commands_of_whose_and_how() {
+  return {
+      {.id = "redraw",
+       .name = "Redraw",
+       .icon = icon::kPencil,
+       .about = "Draw this outline anew",
+       .key = ImGuiKey_D,
+       .shift = true,
+       .available = is_chosen_or_new,
+       .run = redraw},
+      {.id = "other_joint",
+       .name = "Other joint",
+       .icon = icon::kCrosshairsGps,
+       .about = "Give the outline to the joint that you click next",
+       .key = ImGuiKey_O,
+       .available = is_chosen_or_new,
+       .on = [](const App& app) { return app.session.next.picks_joint; },
+       .run = other_joint},
+      {.id = "join",
+       .name = "Join",
+       .icon = icon::kLink,
+       .about = "Join with the outline that you click next",
+       .key = ImGuiKey_J,
+       .available = can_join,
+       .on = [](const App& app) { return app.session.next.joins; },
+       .run = join},
+      {.id = "mend",
+       .name = "Mend",
+       .icon = icon::kAutoFix,
+       .about = "Put right where the outline crosses itself",
+       .key = ImGuiKey_M,
+       .shift = true,
+       .available = can_mend,
+       .run = mend_chosen},
+  };
+}
+
+std::vector<Command> commands_of_copies_and_order() {
+  return {
+      {.id = "mirror",
+       .name = "Mirror",
+       .icon = icon::kCompare,
+       .about = "Mirror the outline for the other side",
+       .key = ImGuiKey_M,
+       .in_rail = true,
+       .available = can_mirror,
+       .run = mirror},
+      {.id = "copy_to",
+       .name = "Copy to",
+       .icon = icon::kContentCopy,
+       .about = "Copy the outline to the next drawing",
+       .key = ImGuiKey_C,
+       .in_rail = true,
+       .available = can_copy,
+       .run = copy_to_next},
+      {.id = "behind",
+       .name = "Behind",
+       .icon = icon::kFlipToBack,
+       .key = ImGuiKey_LeftBracket,
+       .in_rail = true,
+       .available = can_go_behind,
+       .run = shift<-1>},
+      {.id = "in_front",
+       .name = "In front",
+       .icon = icon::kFlipToFront,
+       .key = ImGuiKey_RightBracket,
+       .available = can_go_in_front,
+       .run = shift<1>},
+      {.id = "hidden_here",
+       .name = "Hidden here",
+       .icon = icon::kEyeOff,
+       .about = "This drawing doesn't show the part: nothing is missing",
+       .key = ImGuiKey_H,
+       .shift = true,
+       .available = can_be_hidden,
+       .on = [](const App& app) { return is_hidden(app.frame(), app.session.selection.joint); },
+       .run = hide_here},
+      {.id = "delete_outline",
+       .name = "Delete",
+       .icon = icon::kDelete,
+       .key = ImGuiKey_Delete,
+       .other_key = ImGuiKey_Backspace,
+       .in_rail = true,
+       .available = can_delete,
+       .run = delete_point_or_outline},
+  };
 }
 
 }  // namespace
 
-bool outline_available(const Work& work, Command command) {
-  const View& view = work.view;
-  if (view.mode != Mode::outline || !work.has_frame()) return false;
-  const bool pending = work.outline.has_value(), chosen = view.contour >= 0;
-  const int contours = int(work.frame().contours.size());
-  switch (command) {
-    case Command::redraw:
-    case Command::other_joint:
-      return pending || chosen;
-    case Command::mend:
-      for (const CrossingMark& mark : crossing_marks(work))
-        if (mark.contour == (pending ? -1 : view.contour)) return true;
-      return false;
-    case Command::hidden_here:
-      return !pending && view.joint >= 0 && contours_of(work.frame(), view.joint).empty();
-    case Command::remove:
-      return chosen && work.stroke.empty();  // else Backspace takes the last point
-    case Command::join:
-      return chosen && contours > 1;
-    case Command::behind:
-      return chosen && view.contour > 0;
-    case Command::in_front:
-      return chosen && view.contour + 1 < contours;
-    case Command::copy_to:
-      return chosen && work.document().frames.size() > 1;
-    case Command::mirror: {
-      if (!chosen) return false;
-      const int joint = work.frame().contours[std::size_t(view.contour)].joint;
-      const int mirror = work.document().skeleton.joints[std::size_t(joint)].mirror;
-      return mirror >= 0 && mirror != joint;
-    }
-    default:
-      return chosen;
-  }
-}
-
-void outline_command(Work& work, Command command) {
-  View& view = work.view;
-  if (command == Command::redraw) return redraw(work);
-  if (command == Command::mend) return mend(work, work.outline ? -1 : view.contour);
-  if (command == Command::other_joint) {
-    view.picking_joint = !view.picking_joint;
-    return;
-  }
-  if (command == Command::join) {
-    view.joining = !view.joining;
-    view.tool() = Tool::edit;
-    return;
-  }
-  if (command == Command::hidden_here) {
-    const bool hidden = is_hidden(work.frame(), view.joint);
-    work.commit((hidden ? "Unhide " : "Hide ") + part_words(work, view.joint),
-                with_hidden(work.document(), view.frame, view.joint, !hidden));
-    return;
-  }
-  const int frame = view.frame, contour = view.contour;
-  const Document& document = work.document();
-  const int joint = work.frame().contours[std::size_t(contour)].joint;
-  const std::string name = part_words(work, joint);
-  if (command == Command::remove) {
-    remove(work, name);
-  } else if (command == Command::mirror) {
-    if (std::optional<Document> next = with_contour_mirrored(document, frame, contour)) {
-      work.commit("Mirror " + name, std::move(*next));
-      view.contour = int(work.frame().contours.size()) - 1;
-      view.joint = work.frame().contours.back().joint;
-    }
-  } else if (command == Command::copy_to) {
-    const int to = (frame + 1) % int(document.frames.size());
-    work.commit("Copy " + name, with_contour_copied(document, frame, contour, to));
-    view.frame = to;
-    view.contour = int(work.frame().contours.size()) - 1;
-  } else {
-    const int by = command == Command::behind ? -1 : 1;
-    work.commit(name + (by < 0 ? " behind" : " in front"),
-                with_contour_shifted(document, frame, contour, by));
-    view.contour += by;
-  }
-}
-
-void join_with(Work& work, int other) {
-  View& view = work.view;
-  view.joining = false;
-  const std::string name = part_words(work, work.frame().contours[std::size_t(view.contour)].joint);
-  std::optional<Document> next =
-      with_contours_joined(work.document(), view.frame, view.contour, other, kReachToClose);
-  if (!next) {
-    Toast toast;
-    toast.words = "Only outlines that touch can be joined, or strokes.";
-    work.say(std::move(toast));
-    return;
-  }
-  const int joined = view.contour - (other < view.contour ? 1 : 0);
-  work.commit("Join " + name, std::move(*next));
-  view.contour = joined;
-}
-
-std::vector<CrossingMark> crossing_marks(const Work& work) {
-  std::vector<CrossingMark> marks;
-  if (!work.has_frame()) return marks;
-  const std::vector<std::optional<Vec2>>& known =
-      work.crossings.of(work.history.state(), work.view.frame, [&] {
-        std::vector<std::optional<Vec2>> at;
-        for (const Contour& contour : work.frame().contours)
-          at.push_back(self_crossing(contour.line));
-        return at;
-      });
-  for (int i = 0; i < int(known.size()); ++i)
-    if (known[std::size_t(i)]) marks.push_back({i, *known[std::size_t(i)]});
-  if (work.outline && work.outline->frame == work.view.frame)
-    if (const std::optional<Vec2> at = self_crossing(work.outline->line))
-      marks.push_back({-1, *at});
-  return marks;
-}
-
-void mend(Work& work, int contour) {
-  if (contour < 0) {
-    work.outline->line = mended(work.outline->line);
-    return;
-  }
-  const Contour& crossed = work.frame().contours[std::size_t(contour)];
-  work.commit(
-      "Mend " + part_words(work, crossed.joint),
-      with_contour_points(work.document(), work.view.frame, contour, mended(crossed.line).points));
+std::vector<Command> outline_commands() {
+  std::vector<Command> all = commands_of_whose_and_how();
+  for (Command& command : commands_of_copies_and_order()) all.push_back(std::move(command));
+  for (Command& command : all) command.mode = Mode::outline, command.in_menu = true;
+  return all;
 }
 
 }  // namespace artisketch

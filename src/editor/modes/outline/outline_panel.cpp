@@ -2,18 +2,19 @@
 #include <cmath>
 
 #include "document/edit.h"
-#include "editor/canvas/tools.h"
+#include "editor/canvas/controls.h"
+#include "editor/canvas/pointer.h"
 #include "editor/modes/outline/new_outline.h"
-#include "editor/shell/panels.h"
+#include "editor/session/part_fit.h"
 
 namespace artisketch {
 namespace {
 
-void candidate_card(Work& work, int i, const Rect& card) {
+void candidate_card(App& app, int i, const Rect& card) {
   const Theme& t = theme();
-  NewOutline& fresh = *work.outline;
+  NewOutline& fresh = *app.session.new_outline;
   const int joint = fresh.joints[std::size_t(i)];
-  const std::string& name = work.document().skeleton.joints[std::size_t(joint)].name;
+  const std::string& name = app.document().skeleton.joints[std::size_t(joint)].name;
   const bool on = i == fresh.choice;
   const Press press = press_area("Assign " + joint_words(name).whole(), card, true, on);
   if (on || press.hovered)
@@ -37,13 +38,13 @@ bool value_row(const char* name, Rect row, float& value, float low, float high,
 }
 
 // How the pending line was made can still be changed.
-void making_row(Work& work, Rect& place) {
-  NewOutline& fresh = *work.outline;
+void making_row(App& app, Rect& place) {
+  NewOutline& fresh = *app.session.new_outline;
   if (fresh.tracing) {
-    float root = float(std::sqrt(work.view.tolerance));
-    const std::string words = std::to_string(int(std::lround(100 * work.view.tolerance))) + " %";
+    float root = float(std::sqrt(app.view.tolerance));
+    const std::string words = std::to_string(int(std::lround(100 * app.view.tolerance))) + " %";
     if (value_row("Tolerance", place.cut_top(32).inset(16, 0), root, 0.1f, 1, words))
-      trace_with(work, double(root) * root);
+      trace_again(app, double(root) * root);
   } else if (!fresh.stroke.empty()) {
     float smooth = float(fresh.options.smooth);
     const std::string words = std::to_string(int(std::lround(smooth))) + " px";
@@ -59,44 +60,36 @@ std::string about(const Polyline& line) {
          " points";
 }
 
-void fit_line(const Work& work, const Rect& row, int joint) {
-  const std::string words = fit_in_words(work, joint, work.view.frame);
+void fit_line(const App& app, const Rect& row, int joint) {
+  const std::string words = fit_in_words(app, joint, app.session.selection.frame);
   record(words, row);
   write(row, Font::caption, theme().muted, words);
 }
 
 // The chosen part has no outline in this drawing: it may not be there to be outlined.
-void without_outline(Work& work, Rect place) {
+void without_outline(App& app, Rect place) {
   const Theme& t = theme();
   hairline({place.x + 16, place.y}, {place.right() - 16, place.y + 1});
   place.cut_top(10);
-  write(place.cut_top(28).inset(16, 0), Font::title, t.text, part_words(work, work.view.joint));
-  fit_line(work, place.cut_top(22).inset(16, 0), work.view.joint);
+  write(place.cut_top(28).inset(16, 0), Font::title, t.text,
+        part_words(app, app.session.selection.joint));
+  fit_line(app, place.cut_top(22).inset(16, 0), app.session.selection.joint);
   place.cut_top(6);
-  command_button(work, Command::hidden_here, place.cut_top(34).inset(12, 0), hidden_look(work));
+  command_button(app, "hidden_here", place.cut_top(34).inset(12, 0));
 }
 
 }  // namespace
 
-Look hidden_look(const Work& work) {
-  Look look;
-  look.on = is_hidden(work.frame(), work.view.joint);
-  return look;
-}
-
-void new_outline_sheet(Work& work, Rect place) {
+void new_outline_sheet(App& app, Rect place) {
   const Theme& t = theme();
-  NewOutline& fresh = *work.outline;
+  NewOutline& fresh = *app.session.new_outline;
   Rect head = place.cut_top(56).inset(16, 6);
   Look keep;
   keep.primary = true;
-  if (button("Keep", head.cut_right(104), keep)) return keep_outline(work);
-  for (const Command command : {Command::other_joint, Command::redraw}) {
+  if (button("Keep", head.cut_right(104), keep)) return keep_outline(app);
+  for (const std::string_view command : {"other_joint", "redraw"}) {
     head.cut_right(8);
-    Look look;
-    look.on = command == Command::other_joint && work.view.picking_joint;
-    command_button(work, command, head.cut_right(command == Command::redraw ? 108.0f : 136.0f),
-                   look);
+    command_button(app, command, head.cut_right(command == "redraw" ? 108.0f : 136.0f));
   }
   write(head.cut_left(text_width(Font::title, "New outline") + 12), Font::title, t.text,
         "New outline");
@@ -105,53 +98,50 @@ void new_outline_sheet(Work& work, Rect place) {
   const int shown = std::min(4, int(fresh.joints.size()));
   const float width = (row.w - 8 * float(shown - 1)) / float(shown);
   for (int i = 0; i < shown; ++i) {
-    candidate_card(work, i, row.cut_left(width));
+    candidate_card(app, i, row.cut_left(width));
     row.cut_left(8);
   }
   place.cut_top(4);
-  making_row(work, place);
+  making_row(app, place);
 }
 
-void outline_panel(Work& work, Rect place) {
+void outline_panel(App& app, Rect place) {
   const Theme& t = theme();
-  const bool fresh = work.outline.has_value();
-  if (available(work, Command::hidden_here)) return without_outline(work, place);
-  if (!fresh && (work.view.contour < 0 || !work.has_frame())) return;
+  const bool fresh = app.session.new_outline.has_value();
+  if (available(app, "hidden_here")) return without_outline(app, place);
+  if (!fresh && (app.session.selection.contour < 0 || !app.has_frame())) return;
   hairline({place.x + 16, place.y}, {place.right() - 16, place.y + 1});
   place.cut_top(10);
   const Polyline& line =
-      fresh ? work.outline->line : work.frame().contours[std::size_t(work.view.contour)].line;
+      fresh ? app.session.new_outline->line
+            : app.frame().contours[std::size_t(app.session.selection.contour)].line;
   Rect row = place.cut_top(28).inset(16, 0);
   const std::string points = about(line);
   write(row.cut_right(text_width(Font::caption, points) + 1), Font::caption, t.muted, points);
   write(row, Font::title, t.text, fresh ? "New outline" : "Outline");
   if (!fresh)
-    fit_line(work, place.cut_top(22).inset(16, 0),
-             work.frame().contours[std::size_t(work.view.contour)].joint);
+    fit_line(app, place.cut_top(22).inset(16, 0),
+             app.frame().contours[std::size_t(app.session.selection.contour)].joint);
   place.cut_top(6);
-  for (int i = 0; fresh && i < int(work.outline->joints.size()); ++i) {
-    candidate_card(work, i, place.cut_top(44).inset(12, 0));
-    place.cut_top(i + 1 < int(work.outline->joints.size()) ? 8 : 10);
+  for (int i = 0; fresh && i < int(app.session.new_outline->joints.size()); ++i) {
+    candidate_card(app, i, place.cut_top(44).inset(12, 0));
+    place.cut_top(i + 1 < int(app.session.new_outline->joints.size()) ? 8 : 10);
   }
   Rect buttons = place.cut_top(34).inset(12, 0);
-  command_button(work, Command::redraw, buttons.cut_left(buttons.w / 2 - 4));
+  command_button(app, "redraw", buttons.cut_left(buttons.w / 2 - 4));
   buttons.cut_left(8);
-  Look picking;
-  picking.on = work.view.picking_joint;
-  command_button(work, Command::other_joint, buttons, picking);
+  command_button(app, "other_joint", buttons);
   place.cut_top(6);
-  if (work.view.picking_joint) {
+  if (app.session.next.picks_joint) {
     write(place.cut_top(24).inset(16, 0), Font::caption, t.muted,
           "Click a joint, or a part in the list.");
     return;
   }
-  if (fresh) return making_row(work, place);
+  if (fresh) return making_row(app, place);
   Rect more = place.cut_top(34).inset(12, 0);
-  Look joining;
-  joining.on = work.view.joining;
-  command_button(work, Command::join, more.cut_left(more.w / 2 - 4), joining);
+  command_button(app, "join", more.cut_left(more.w / 2 - 4));
   more.cut_left(8);
-  command_button(work, Command::mend, more);
+  command_button(app, "mend", more);
 }
 
 }  // namespace artisketch

@@ -1,11 +1,13 @@
-// Over the drawing in Pose: the model's edge, and hairs from it to the outlines it misses.
+#include "editor/modes/pose/fit_paint.h"
+
 #include <cmath>
 
 #include "document/edit.h"
 #include "editor/canvas/pointer.h"
 #include "editor/canvas/sketch_paint.h"
 #include "editor/session/live.h"
-#include "editor/shell/panels.h"
+#include "editor/session/part_fit.h"
+#include "editor/ui/ui.h"
 
 namespace artisketch {
 namespace {
@@ -42,17 +44,17 @@ void paint_edge(const FitMarks& marks, const OnScreen& on) {
 }
 
 // Of the pose as shown; pixels.
-double off_here(const Work& work, int joint) {
-  const bool theirs = work.proposal && work.proposal->theirs();
-  return theirs ? distance_in(work.proposal->fits, joint, work.view.frame)
-                : distance_of(work, joint, work.view.frame);
+double off_here(const App& app, int joint) {
+  const bool theirs = app.session.proposal && app.session.proposal->theirs();
+  return theirs ? distance_in(app.session.proposal->fits, joint, app.session.selection.frame)
+                : distance_of(app, joint, app.session.selection.frame);
 }
 
 // What the longest stretch belongs to, and how far it is off, beside it.
-void paint_tag(const Work& work, const PartMarks& part, const Rect& place, const OnScreen& on) {
-  const double off = off_here(work, part.joint);
+void paint_tag(const App& app, const PartMarks& part, const Rect& place, const OnScreen& on) {
+  const double off = off_here(app, part.joint);
   const std::string words =
-      part_words(work, part.joint) + " " + std::to_string(int(std::lround(off))) + " px off";
+      part_words(app, part.joint) + " " + std::to_string(int(std::lround(off))) + " px off";
   const float width = text_width(Font::caption_bold, words) + 36, height = 26;
   const ImVec2 at = on.of(part.marks.middle.at);
   const float reach = 24 + on.zoom * float(part.marks.middle.off());
@@ -69,28 +71,29 @@ void paint_tag(const Work& work, const PartMarks& part, const Rect& place, const
 }
 
 // While a pose is dragged the parts of a moment ago tell enough; after a leap they tell nothing.
-bool tell(const Work& work) {
-  return work.live.revision == work.history.revision() || ImGui::IsMouseDown(ImGuiMouseButton_Left);
+bool tell(const App& app) {
+  return app.session.live.revision == app.session.history.revision() ||
+         ImGui::IsMouseDown(ImGuiMouseButton_Left);
 }
 
 }  // namespace
 
-void paint_fit_marks(Work& work, const OnScreen& on) {
-  if (!tell(work)) return;
-  const std::vector<PartMarks>& parts = marks_of_drawing(work);
+void paint_fit_marks(App& app, const OnScreen& on) {
+  if (!tell(app)) return;
+  const std::vector<PartMarks>& parts = marks_of_drawing(app);
   for (const PartMarks& part : parts) paint_hairs(part.marks, on);
   for (const PartMarks& part : parts) paint_edge(part.marks, on);
 }
 
-void paint_fit_tag(Work& work, const Rect& place, const OnScreen& on) {
-  if (!tell(work)) return;
+void paint_fit_tag(App& app, const Rect& place, const OnScreen& on) {
+  if (!tell(app)) return;
   const PartMarks* longest = nullptr;
-  for (const PartMarks& part : marks_of_drawing(work)) {
-    if (off_here(work, part.joint) <= kOff) continue;
+  for (const PartMarks& part : marks_of_drawing(app)) {
+    if (off_here(app, part.joint) <= kOff) continue;
     if (part.marks.stretch > 0 && (!longest || part.marks.stretch > longest->marks.stretch))
       longest = &part;
   }
-  if (longest) paint_tag(work, *longest, place, on);
+  if (longest) paint_tag(app, *longest, place, on);
 }
 
 }  // namespace artisketch

@@ -1,11 +1,14 @@
-// Beside the body in Pose: a ball that turns it whole, and its view from the side.
+#include "editor/modes/pose/pose_insets.h"
+
 #include <cmath>
 #include <utility>
 
 #include "document/edit.h"
 #include "document/posing.h"
+#include "editor/canvas/controls.h"
 #include "editor/canvas/pointer.h"
-#include "editor/canvas/tools.h"
+#include "editor/modes/pose/pose_edits.h"
+#include "editor/modes/pose/pose_suggest.h"
 #include "editor/ui/menu.h"
 
 namespace artisketch {
@@ -53,17 +56,17 @@ Rect side_place(const Layout& layout) {
           layout.tablet ? canvas.y + 68 : canvas.bottom() - kMargin - height, kSide, height};
 }
 
-void turning_ball(Work& work, const Rect& canvas) {
+void turning_ball(App& app, const Rect& canvas) {
   const Rect place = ball_place(canvas);
   const Press press = press_area("Turn the body", place);
-  if (ImGui::IsItemActivated()) work.gesture = {};
+  if (ImGui::IsItemActivated()) app.session.begin_gesture();
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 centre = place.centre();
   if (item_dragged() && pointer_moved()) {
     const Vec2 to(io.MousePos.x - centre.x, io.MousePos.y - centre.y);
-    turn_body(work, ball_turn(to - Vec2(io.MouseDelta.x, io.MouseDelta.y), to, kBall));
+    turn_body(app, ball_turn(to - Vec2(io.MouseDelta.x, io.MouseDelta.y), to, kBall));
   }
-  const std::vector<Transform> posed = posed_joints(work.document().skeleton, work.drawn_pose());
+  const std::vector<Transform> posed = posed_joints(app.document().skeleton, app.drawn_pose());
   paint_ball(centre, posed[0].rotation(), press.held || press.hovered);
   if (press.hovered && !press.held) tooltip("Drag to turn the whole body", "");
 }
@@ -87,9 +90,9 @@ Eye side_eye(const Skeleton& skeleton, const Vec3& root, const Rect& place) {
   return eye;
 }
 
-void side_view(Work& work, const Rect& place, float pixel_ratio) {
+void side_view(App& app, const Rect& place, float pixel_ratio) {
   const Theme& t = theme();
-  const Skeleton& skeleton = work.document().skeleton;
+  const Skeleton& skeleton = app.document().skeleton;
   shadow(place, kRadiusPanel);
   draw().AddRectFilled(place.min(), place.max(), rgb(0x1F2227, 0.96f), kRadiusPanel);
   draw().AddRect(place.min(), place.max(), rgb(0x343940), kRadiusPanel);
@@ -98,14 +101,15 @@ void side_view(Work& work, const Rect& place, float pixel_ratio) {
   write(head, Font::caption_bold, rgb(0xE8EAED), "From the side");
   write(head, Font::caption, rgb(0xA3A9B2), "drag: depth", Align::right);
   body = body.inset(4, 2);
-  const Pose pose = work.drawn_pose();
+  const Pose pose = app.drawn_pose();
   const Eye eye = side_eye(skeleton, pose.root_position, body);
-  if (const Built* shown = work.shown(); shown && shown->model.skeleton.size() == skeleton.size()) {
+  if (const BuiltModel* shown = app.shown();
+      shown && shown->model.skeleton.size() == skeleton.size()) {
     shown->picture->pose(pose, Vec3::Zero());
     PaintOptions options;
     options.surface = Surface::shaded;
-    options.rough = work.hurried;
-    show_model(*shown, eye, options, work.model_beside, 0.34f, pixel_ratio, kRadiusPanel);
+    options.rough = app.services.hurried;
+    show_model(*shown, eye, options, app.services.model_beside, 0.34f, pixel_ratio, kRadiusPanel);
   }
   std::vector<ImVec2> at;
   const std::vector<Transform> posed = posed_joints(skeleton, pose);
@@ -114,32 +118,33 @@ void side_view(Work& work, const Rect& place, float pixel_ratio) {
   press_area("From the side", body);
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemActivated()) {
-    work.gesture = {};
+    app.session.side_drag = {app.session.begin_gesture(), -1};
     float nearest = 12;
     for (int j = 0; j < int(at.size()); ++j)
       if (const float distance = apart(at[std::size_t(j)], io.MousePos); distance < nearest) {
         nearest = distance;
-        work.gesture.joint = work.view.joint = j;
+        app.session.side_drag.joint = app.session.selection.joint = j;
       }
   }
-  const int joint = work.gesture.joint;
-  if (joint >= 0 && item_dragged() && pointer_moved()) {
-    work.proposal.reset();
+  const auto [gesture, joint] = app.session.side_drag;
+  if (joint >= 0 && joint < skeleton.size() && app.session.goes_on(gesture) && item_dragged() &&
+      pointer_moved()) {
+    app.session.proposal.reset();
     const double per_unit = std::abs(eye.clip(0, 2)) * place.w / 2;
     const double z = pose.root_position.z() - (io.MousePos.x - body.centre().x) / per_unit;
-    const FrameCamera camera = frame_camera(work.document(), work.view.frame);
-    work.change("Depth of " + part_words(work, joint),
-                with_pose(work.document(), work.view.frame,
-                          with_joint_depth(skeleton, work.frame().pose, camera, joint, z)));
+    const FrameCamera camera = frame_camera(app.document(), app.session.selection.frame);
+    app.session.change("Depth of " + part_words(app, joint),
+                       with_pose(app.document(), app.session.selection.frame,
+                                 with_joint_depth(skeleton, app.frame().pose, camera, joint, z)));
   }
   draw().PushClipRect(body.min(), body.max(), true);
   for (int j = 1; j < skeleton.size(); ++j)
     draw().AddLine(at[std::size_t(skeleton.joints[std::size_t(j)].parent)], at[std::size_t(j)],
                    rgb(0xFFFFFF, 0.9f), 1.5f);
   for (int j = 0; j < skeleton.size(); ++j) {
-    const bool chosen = j == work.view.joint;
+    const bool chosen = j == app.session.selection.joint;
     const ImVec2 p = at[std::size_t(j)];
-    record(part_words(work, j) + " from the side", {p.x - 6, p.y - 6, 12, 12}, true, chosen);
+    record(part_words(app, j) + " from the side", {p.x - 6, p.y - 6, 12, 12}, true, chosen);
     if (chosen) draw().AddCircle(p, 9, t.accent, 0, 2);
     draw().AddCircleFilled(p, chosen ? 5.5f : 3, rgb(0xFFFFFF));
     if (chosen) draw().AddCircleFilled(p, 4, joint_tint(j));
@@ -148,14 +153,15 @@ void side_view(Work& work, const Rect& place, float pixel_ratio) {
 }
 
 // The drawings whose pose this one can take.
-void poses_to_copy(Work& work, const Rect& canvas) {
+void poses_to_copy(App& app, const Rect& canvas) {
   ImGui::SetNextWindowPos({canvas.x + kMargin, canvas.y + kMargin}, ImGuiCond_Appearing);
-  Menu menu("poses to copy", std::exchange(work.view.choosing_pose, false));
-  for (int f = 0; menu && f < int(work.document().frames.size()); ++f) {
-    if (f == work.view.frame) continue;
-    const std::string name = drawing_words(work.document(), f);
+  Menu menu("poses to copy", std::exchange(app.view.choosing_pose, false));
+  for (int f = 0; menu && f < int(app.document().frames.size()); ++f) {
+    if (f == app.session.selection.frame) continue;
+    const std::string name = drawing_words(app.document(), f);
     if (menu.line("Pose of " + name))
-      work.commit("Copy pose of " + name, with_pose_copied(work.document(), f, work.view.frame));
+      app.session.commit("Copy pose of " + name,
+                         with_pose_copied(app.document(), f, app.session.selection.frame));
   }
 }
 
@@ -165,16 +171,16 @@ std::vector<Rect> pose_inset_places(const Layout& layout) {
   return {ball_place(layout.canvas), side_place(layout)};
 }
 
-void pose_insets(Work& work, const Layout& layout, float pixel_ratio) {
+void pose_insets(App& app, const Layout& layout, float pixel_ratio) {
   const Rect& canvas = layout.canvas;
-  poses_to_copy(work, canvas);
-  if (work.document().skeleton.size() == 0 || !work.view.layer().bones) return;
-  turning_ball(work, canvas);
+  poses_to_copy(app, canvas);
+  if (app.document().skeleton.size() == 0 || !app.view.layer().bones) return;
+  turning_ball(app, canvas);
   // Above the ball; on tablets the tools float there, and it stands beside.
   ImVec2 corner{canvas.x + kMargin, canvas.bottom() - kMargin};
   (layout.tablet ? corner.x : corner.y) += (layout.tablet ? 1 : -1) * (2 * kBallGround + kMargin);
-  bend_chooser(work, corner);
-  side_view(work, side_place(layout), pixel_ratio);
+  bend_chooser(app, corner);
+  side_view(app, side_place(layout), pixel_ratio);
 }
 
 }  // namespace artisketch

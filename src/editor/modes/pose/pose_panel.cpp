@@ -1,10 +1,13 @@
-// Pose: the calibration's proposal beside the person's own pose, to compare and to take.
+#include "editor/modes/pose/pose_panel.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "document/edit.h"
 #include "document/posing.h"
+#include "editor/canvas/controls.h"
 #include "editor/canvas/pointer.h"
+#include "editor/session/part_fit.h"
 
 namespace artisketch {
 namespace {
@@ -14,36 +17,36 @@ double turned_by(const Pose& a, const Pose& b, int joint) {
 }
 
 // Of the parts of the drawing whose edge shows; −1 where nothing is known.
-double farthest_off(const Work& work, const std::vector<FrameFit>& fits) {
+double farthest_off(const App& app, const std::vector<FrameFit>& fits) {
   double farthest = -1;
-  if (work.view.frame < int(fits.size()))
-    for (const FrameFit::PartFit& fit : fits[std::size_t(work.view.frame)].parts)
-      if (fit_of(work, fit.joint, work.view.frame) != Fit::inside)
+  if (app.session.selection.frame < int(fits.size()))
+    for (const FrameFit::PartFit& fit : fits[std::size_t(app.session.selection.frame)].parts)
+      if (fit_of(app, fit.joint, app.session.selection.frame) != Fit::inside)
         farthest = std::max(farthest, fit.distance);
   return farthest;
 }
 
 // What the calibration found for the drawing.
-void proposal_words(const Work& work, Rect column) {
+void proposal_words(const App& app, Rect column) {
   const Theme& t = theme();
-  const Proposal& proposal = *work.proposal;
+  const Proposal& proposal = *app.session.proposal;
   Rect head = column.cut_top(22);
   write_icon({head.x + 8, head.centre().y}, IconSize::small, t.accent, icon::kCrosshairsGps);
   head.cut_left(24);
   write(head, Font::body_bold, t.text, "Calibrated pose is ready");
-  const Pose& mine = work.frame().pose;
-  const Pose& theirs = proposal.document.frames[std::size_t(work.view.frame)].pose;
+  const Pose& mine = app.frame().pose;
+  const Pose& theirs = proposal.document.frames[std::size_t(app.session.selection.frame)].pose;
   int most = 0;
-  for (int j = 1; j < work.document().skeleton.size(); ++j)
+  for (int j = 1; j < app.document().skeleton.size(); ++j)
     if (turned_by(mine, theirs, j) > turned_by(mine, theirs, most)) most = j;
   const double angle = degrees(turned_by(mine, theirs, most));
-  if (const double farthest = farthest_off(work, proposal.fits); farthest >= 0)
+  if (const double farthest = farthest_off(app, proposal.fits); farthest >= 0)
     write(column.cut_top(18), Font::caption, t.muted,
           "Every part within " + std::to_string(int(std::ceil(farthest))) + " px of its outline.");
   else
     write(column.cut_top(18), Font::caption, t.muted, "Measuring …");
   const std::string words = angle < 0.5 ? "This drawing stays as it is."
-                                        : "Largest turn: " + part_words(work, most) + ", " +
+                                        : "Largest turn: " + part_words(app, most) + ", " +
                                               std::to_string(int(std::lround(angle))) + "°";
   write(column.cut_top(18), Font::caption, t.muted, words);
 }
@@ -58,8 +61,8 @@ void mine_or_calibrated(Proposal& proposal, const Rect& place) {
 }
 
 // The proposal may be gone after it.
-void keep_or_discard(Work& work, Rect row) {
-  const Proposal& proposal = *work.proposal;
+void keep_or_discard(App& app, Rect row) {
+  const Proposal& proposal = *app.session.proposal;
   Look keep;
   keep.primary = true;
   if (button("Keep calibrated", row.cut_left(row.w * 0.6f), keep)) {
@@ -68,26 +71,26 @@ void keep_or_discard(Work& work, Rect row) {
     for (std::size_t f = 0; f < next.frames.size(); ++f)
       for (std::size_t j = 0; j < proposal.taken.size(); ++j)
         if (!proposal.taken[j])
-          next.frames[f].pose.rotations[j] = work.document().frames[f].pose.rotations[j];
-    work.commit("Keep calibrated", std::move(next));
-    work.proposal.reset();
+          next.frames[f].pose.rotations[j] = app.document().frames[f].pose.rotations[j];
+    app.session.commit("Keep calibrated", std::move(next));
+    app.session.proposal.reset();
     return;
   }
   row.cut_left(8);
-  if (button("Discard", row)) work.proposal.reset();
+  if (button("Discard", row)) app.session.proposal.reset();
 }
 
-void proposal_card(Work& work, Rect& place) {
+void proposal_card(App& app, Rect& place) {
   const Theme& t = theme();
   const Rect card = place.cut_top(180).inset(12, 0);
   draw().AddRectFilled(card.min(), card.max(), t.panel, kRadiusCard);
   draw().AddRect(card.min(), card.max(), t.accent, kRadiusCard, 0, 1.5f);
   Rect column = card.inset(12);
-  proposal_words(work, column.cut_top(58));
+  proposal_words(app, column.cut_top(58));
   column.cut_top(10);
-  mine_or_calibrated(*work.proposal, column.cut_top(32));
+  mine_or_calibrated(*app.session.proposal, column.cut_top(32));
   column.cut_top(12);
-  keep_or_discard(work, column.cut_top(36));
+  keep_or_discard(app, column.cut_top(36));
 }
 
 std::string in_pixels(double distance) {
@@ -96,15 +99,16 @@ std::string in_pixels(double distance) {
 
 // How far each part is from its outline in this drawing, the farthest first; with a proposal also
 // after it, and whether to take it.
-void distance_table(Work& work, Rect place) {
+void distance_table(App& app, Rect place) {
   const Theme& t = theme();
-  Proposal* proposal = work.proposal ? &*work.proposal : nullptr;
+  Proposal* proposal = app.session.proposal ? &*app.session.proposal : nullptr;
   std::vector<std::pair<double, int>> rows;
   int inside = 0;
-  for (const int joint : drawn_joints(work.document())) {
-    const bool covered = fit_of(work, joint, work.view.frame) == Fit::inside;
+  for (const int joint : drawn_joints(app.document())) {
+    const bool covered = fit_of(app, joint, app.session.selection.frame) == Fit::inside;
     inside += covered;
-    if (const double off = distance_of(work, joint, work.view.frame); off >= 0 && !covered)
+    if (const double off = distance_of(app, joint, app.session.selection.frame);
+        off >= 0 && !covered)
       rows.emplace_back(-off, joint);
   }
   if (rows.empty() && inside == 0) return;
@@ -121,7 +125,7 @@ void distance_table(Work& work, Rect place) {
   for (const auto& [negated, joint] : rows) {
     if (place.h < 26) break;
     const double off = -negated;
-    const std::string name = part_words(work, joint);
+    const std::string name = part_words(app, joint);
     const Rect whole = place.cut_top(26);
     Rect row = whole.inset(16, 0);
     if (proposal) {
@@ -130,19 +134,20 @@ void distance_table(Work& work, Rect place) {
         proposal->taken[std::size_t(joint)] = taken;
       row.cut_right(8);
     }
-    const bool chosen = joint == work.view.joint;
+    const bool chosen = joint == app.session.selection.joint;
     const Press press =
         press_area("Off " + name + " " + in_pixels(off),
                    {whole.x + 8, whole.y, row.right() - whole.x - 8, whole.h}, true, chosen);
     if (chosen || press.hovered)
       draw().AddRectFilled({whole.x + 8, whole.y}, {row.right() + 2, whole.bottom()},
                            chosen ? t.selection : faded(t.hover, 0.5f), kRadius);
-    if (press.clicked) work.view.joint = joint;
+    if (press.clicked) app.session.selection.joint = joint;
     draw().AddCircleFilled({row.x + 6, row.centre().y}, 6, joint_tint(joint));
     row.cut_left(21);
     if (proposal)
       write(row.cut_right(50), Font::caption, t.muted,
-            in_pixels(distance_in(proposal->fits, joint, work.view.frame)), Align::right);
+            in_pixels(distance_in(proposal->fits, joint, app.session.selection.frame)),
+            Align::right);
     write(row.cut_right(54), off > kOff ? Font::caption_bold : Font::caption,
           off > kOff ? t.text : t.muted, in_pixels(off), Align::right);
     const ImVec2 at{row.right() - 4, row.centre().y};
@@ -163,10 +168,10 @@ void distance_table(Work& work, Rect place) {
 
 }  // namespace
 
-std::string lean_words(const Work& work, int joint) {
-  const Skeleton& skeleton = work.document().skeleton;
+std::string lean_words(const App& app, int joint) {
+  const Skeleton& skeleton = app.document().skeleton;
   const int start = start_of_bone(skeleton, joint), end = end_of_bone(skeleton, joint);
-  const std::vector<Transform> posed = posed_joints(skeleton, work.drawn_pose());
+  const std::vector<Transform> posed = posed_joints(skeleton, app.drawn_pose());
   const Vec3 bone = posed[end].translation() - posed[start].translation();
   if (bone.norm() < 1e-9) return "";
   const int angle = int(std::lround(degrees(std::asin(bone.normalized().z()))));
@@ -176,53 +181,54 @@ std::string lean_words(const Work& work, int joint) {
 
 namespace {
 
-void chosen_joint(const Work& work, Rect& place) {
+void chosen_joint(const App& app, Rect& place) {
   const Theme& t = theme();
-  const int joint = work.view.joint;
+  const int joint = app.session.selection.joint;
   hairline({place.x + 16, place.y}, {place.right() - 16, place.y + 1});
   place.cut_top(12);
   Rect row = place.cut_top(26).inset(16, 0);
   draw().AddCircleFilled({row.x + 6, row.centre().y}, 6, joint_tint(joint));
   row.cut_left(21);
-  if (is_locked(work.document(), joint)) write(row, Font::caption, t.muted, "locked", Align::right);
-  write(row, Font::body_bold, t.text, part_words(work, joint));
-  write(place.cut_top(22).inset(16, 0), Font::caption, t.muted, lean_words(work, joint));
+  if (is_locked(app.document(), joint)) write(row, Font::caption, t.muted, "locked", Align::right);
+  write(row, Font::body_bold, t.text, part_words(app, joint));
+  write(place.cut_top(22).inset(16, 0), Font::caption, t.muted, lean_words(app, joint));
 }
 
 }  // namespace
 
-void proposal_sheet(Work& work, Rect place) {
+void proposal_sheet(App& app, Rect place) {
   Rect row = place.inset(16, 22);
   Rect answers = row.cut_right(340);
-  proposal_words(work, row);
-  mine_or_calibrated(*work.proposal, answers.cut_top(44));
+  proposal_words(app, row);
+  mine_or_calibrated(*app.session.proposal, answers.cut_top(44));
   answers.cut_top(12);
-  keep_or_discard(work, answers.cut_top(44));
+  keep_or_discard(app, answers.cut_top(44));
 }
 
-void pose_panel(Work& work, Rect place) {
+void pose_panel(App& app, Rect place) {
   const Theme& t = theme();
   Rect head = place.cut_top(48).inset(16, 0);
   write(head.cut_left(text_width(Font::title, "Pose") + 8), Font::title, t.text, "Pose");
-  if (work.has_frame())
-    write(head, Font::caption, t.muted, drawing_words(work.document(), work.view.frame));
-  if (work.proposal && work.has_frame()) {
-    proposal_card(work, place);
-    if (work.proposal) distance_table(work, place);
+  if (app.has_frame())
+    write(head, Font::caption, t.muted, drawing_words(app.document(), app.session.selection.frame));
+  if (app.session.proposal && app.has_frame()) {
+    proposal_card(app, place);
+    if (app.session.proposal) distance_table(app, place);
     return;
   }
   Rect buttons = place.cut_top(36).inset(12, 0);
-  command_button(work, Command::suggest, buttons.cut_left((buttons.w - 8) / 2));
+  command_button(app, "suggest", buttons.cut_left((buttons.w - 8) / 2));
   Look copy;
   copy.icon = icon::kContentCopy;
-  copy.hint = words_of(Command::copy_pose).hint;
+  copy.hint = command(app, "copy_pose").about;
   copy.key = "C";
-  copy.enabled = available(work, Command::copy_pose);
-  if (button("Copy from", buttons.cut_right(buttons.w - 8), copy)) work.ask(Command::copy_pose);
+  copy.enabled = available(app, "copy_pose");
+  if (button("Copy from", buttons.cut_right(buttons.w - 8), copy)) app.ask("copy_pose");
   place.cut_top(8);
-  command_button(work, Command::calibrate, place.cut_top(36).inset(12, 0));
+  command_button(app, "calibrate", place.cut_top(36).inset(12, 0));
   place.cut_top(14);
-  const bool first = work.view.frame == 0 && !work.document().calibration.free_first_frame;
+  const bool first =
+      app.session.selection.frame == 0 && !app.document().calibration.free_first_frame;
   const float used = write_lines(
       place.inset(16, 0), Font::caption, t.muted,
       first ? "Drag the joints until they match the drawing. The first drawing is the reference: "
@@ -230,9 +236,9 @@ void pose_panel(Work& work, Rect place) {
             : "Drag the joints until they roughly match the drawing. Calibrate does the last bit.",
       18);
   place.cut_top(used + 16);
-  if (!work.has_frame()) return;
-  if (work.view.joint >= 0) chosen_joint(work, place);
-  distance_table(work, place);
+  if (!app.has_frame()) return;
+  if (app.session.selection.joint >= 0) chosen_joint(app, place);
+  distance_table(app, place);
 }
 
 }  // namespace artisketch

@@ -1,4 +1,5 @@
-// Suggests a pose, and lets the person choose which way its bones lean.
+#include "editor/modes/pose/pose_suggest.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -6,7 +7,7 @@
 #include "document/posing.h"
 #include "document/suggest.h"
 #include "editor/canvas/pointer.h"
-#include "editor/canvas/tools.h"
+#include "editor/ui/ui.h"
 
 namespace artisketch {
 namespace {
@@ -14,8 +15,8 @@ namespace {
 constexpr float kWidth = 172, kHeight = 152;  // points
 
 // The bones in question in their colours among the others, turned so that depth shows.
-void small_picture(const Work& work, const Pose& pose, int joint, const Rect& place) {
-  const Skeleton& skeleton = work.document().skeleton;
+void small_picture(const App& app, const Pose& pose, int joint, const Rect& place) {
+  const Skeleton& skeleton = app.document().skeleton;
   const Mat3 turn =
       (Eigen::AngleAxisd(radians(8), Vec3::UnitX()) * Eigen::AngleAxisd(radians(50), Vec3::UnitY()))
           .toRotationMatrix();
@@ -62,39 +63,36 @@ double lean(const Skeleton& skeleton, const Pose& pose, int joint) {
 
 }  // namespace
 
-void suggest_pose(Work& work) {
-  const int frame = work.view.frame;
-  work.proposal.reset();
-  Pose pose = suggested_pose(work.document(), frame);
+void suggest_pose(App& app) {
+  const int frame = app.session.selection.frame;
+  app.session.proposal.reset();
+  Pose pose = suggested_pose(app.document(), frame);
   // The bone that leans most is asked about first.
-  const Skeleton& skeleton = work.document().skeleton;
+  const Skeleton& skeleton = app.document().skeleton;
   double most = 0;
-  for (const int joint : drawn_joints(work.document())) {
+  for (const int joint : drawn_joints(app.document())) {
     const double leaning = std::abs(lean(skeleton, pose, joint));
     if (joint == 0 || skeleton.children(joint).size() > 1 || leaning <= most) continue;
     most = leaning;
-    work.view.joint = joint;
+    app.session.selection.joint = joint;
   }
-  work.commit("Suggest pose", with_pose(work.document(), frame, std::move(pose)));
-  work.bend = {};
-  work.bend.frame = frame;
+  app.session.commit("Suggest pose", with_pose(app.document(), frame, std::move(pose)));
+  app.session.bend = {};
+  app.session.bend.frame = frame;
 }
 
-void bend_chooser(Work& work, ImVec2 corner) {
-  Bend& bend = work.bend;
-  const int joint = work.view.joint;
-  if (bend.frame != work.view.frame || joint <= 0 || work.proposal) return;
-  const Skeleton& skeleton = work.document().skeleton;
-  const Pose& mine = work.frame().pose;
+void bend_chooser(App& app, ImVec2 corner) {
+  Bend& bend = app.session.bend;
+  const int joint = app.session.selection.joint;
+  if (bend.frame != app.session.selection.frame || joint <= 0 || app.session.proposal) return;
+  const Skeleton& skeleton = app.document().skeleton;
+  const Pose& mine = app.frame().pose;
   if (!leans(skeleton, mine, joint)) return;
   const bool is_toward = lean(skeleton, mine, joint) > 0;
-  if (bend.revision != work.history.revision() || bend.joint != joint) {
-    bend.revision = work.history.revision();
-    bend.joint = joint;
-    const Pose other = with_lean_flipped(work.document(), bend.frame, mine, joint);
-    bend.toward = is_toward ? mine : other;
-    bend.away = is_toward ? other : mine;
-  }
+  const Leanings& leanings = bend.of.of(app.session.history.state(), joint, [&]() -> Leanings {
+    const Pose other = with_lean_flipped(app.document(), bend.frame, mine, joint);
+    return is_toward ? Leanings{mine, other} : Leanings{other, mine};
+  });
   const Rect card{corner.x, corner.y - kHeight, kWidth, kHeight};
   shadow(card, kRadiusPanel);
   draw().AddRectFilled(card.min(), card.max(), rgb(0x1F2227, 0.96f), kRadiusPanel);
@@ -118,11 +116,12 @@ void bend_chooser(Work& work, ImVec2 corner) {
     Rect inside = half;
     write(inside.cut_bottom(22), Font::caption, on ? rgb(0x4FD1B5) : rgb(0xA3A9B2), words,
           Align::centre);
-    small_picture(work, toward ? bend.toward : bend.away, joint, inside);
+    small_picture(app, toward ? leanings.toward : leanings.away, joint, inside);
     if (!press.clicked || on) continue;
-    work.commit("Bend " + part_words(work, start_of_bone(skeleton, joint)) +
-                    (toward ? " toward you" : " away"),
-                with_pose(work.document(), bend.frame, toward ? bend.toward : bend.away));
+    app.session.commit(
+        "Bend " + part_words(app, start_of_bone(skeleton, joint)) +
+            (toward ? " toward you" : " away"),
+        with_pose(app.document(), bend.frame, toward ? leanings.toward : leanings.away));
     return;
   }
   press_area("Bends which way?", card);  // what is beside the two doesn't fall through

@@ -1,8 +1,8 @@
-// The model out: what the export sheet chose, as a file.
+#include "editor/modes/result/exports.h"
+
 #include <algorithm>
 
-#include "editor/session/actions.h"
-#include "editor/shell/panels.h"
+#include "editor/session/files.h"
 #include "editor/ui/icons.h"
 #include "files/gltf.h"
 #include "files/mesh_file.h"
@@ -31,46 +31,50 @@ Texture halved(const Texture& from) {
   return to;
 }
 
-Result<std::string> as_glb(const Work& work) {
-  const ExportWish& wish = work.view.wish;
-  if (wish.texture && wish.halvings == 0 && wish.without.empty() && !work.built->clips_edited)
-    return work.built->glb;
-  Model model = work.built->model;
+Result<std::string> as_glb(const App& app) {
+  const ExportChoice& wish = app.view.export_choice;
+  if (wish.texture && wish.halvings == 0 && app.session.export_wish.without.empty() &&
+      !app.session.built->clips_edited)
+    return app.session.built->glb;
+  Model model = app.session.built->model;
   if (!wish.texture) {
     model.texture.reset();
     model.texcoords.clear();
   }
   for (int i = 0; model.texture && i < wish.halvings; ++i) model.texture = halved(*model.texture);
-  std::erase_if(model.clips, [&](const Clip& clip) { return wish.without.contains(clip.name); });
+  std::erase_if(model.clips, [&](const Clip& clip) {
+    return app.session.export_wish.without.contains(clip.name);
+  });
   return glb_bytes(model);
 }
 
 // The model with its surface as the view shows it.
-Model posed(const Work& work) {
-  Model model = work.built->model;
-  model.mesh.V = posed_vertices(model.mesh.V, model.weights, model.skeleton, work.shown_pose());
+Model posed(const App& app) {
+  Model model = app.session.built->model;
+  model.mesh.V = posed_vertices(model.mesh.V, model.weights, model.skeleton, app.shown_pose());
   return model;
 }
 
-Result<std::string> as_obj(const Work& work) {
-  return obj_text(posed(work));
+Result<std::string> as_obj(const App& app) {
+  return obj_text(posed(app));
 }
-Result<std::string> as_stl(const Work& work) {
-  return stl_bytes(posed(work));
+Result<std::string> as_stl(const App& app) {
+  return stl_bytes(posed(app));
 }
-Result<std::string> as_ply(const Work& work) {
-  return ply_bytes(posed(work));
+Result<std::string> as_ply(const App& app) {
+  return ply_bytes(posed(app));
 }
 
-Result<std::string> as_picture(const Work& work) {
+Result<std::string> as_picture(const App& app) {
   constexpr int kPicture = 1024, kSprite = 256, kSides = 8;  // pixels
   RenderOptions options;
-  options.yaw = -work.view.orbit.yaw;
-  options.pitch = work.view.orbit.pitch;
-  options.pose = work.shown_pose();
-  options.clear = work.view.wish.sides;
-  options.width = options.height = work.view.wish.sides ? kSprite : kPicture;
-  return png_bytes(render_turntable(work.built->model, options, work.view.wish.sides ? kSides : 1));
+  options.yaw = -app.view.orbit.yaw;
+  options.pitch = app.view.orbit.pitch;
+  options.pose = app.shown_pose();
+  options.clear = app.view.export_choice.sides;
+  options.width = options.height = app.view.export_choice.sides ? kSprite : kPicture;
+  return png_bytes(render_turntable(app.session.built->model, options,
+                                    app.view.export_choice.sides ? kSides : 1));
 }
 
 constexpr ExportFormat kFormats[] = {
@@ -87,34 +91,34 @@ std::span<const ExportFormat> export_formats() {
   return kFormats;
 }
 
-std::string export_name(const Work& work, const ExportFormat& format) {
-  const std::string& name = work.document().name;
+std::string export_name(const App& app, const ExportFormat& format) {
+  const std::string& name = app.document().name;
   return (name.empty() ? "model" : name) + format.ending;
 }
 
-void export_model(Work& work, const ExportFormat& format) {
-  if (!work.built) return;
-  Result<std::string> bytes = format.bytes(work);
-  if (!bytes) return complain(work, bytes.error());
-  const std::string name = export_name(work, format);
-  const auto done = [&work](Result<Platform::Saved> saved) {
-    if (!saved) return complain(work, saved.error());
+void export_model(App& app) {
+  const ExportFormat& format = export_formats()[app.view.export_choice.format];
+  Result<std::string> bytes = format.bytes(app);
+  if (!bytes) return complain(app, bytes.error());
+  const std::string name = export_name(app, format);
+  const auto done = [&app](Result<Platform::Saved> saved) {
+    if (!saved) return complain(app, saved.error());
     Toast toast;
     toast.words = "Exported " + saved->name + ".";
-    work.say(std::move(toast));
+    app.say(std::move(toast));
   };
-  if (work.platform.has_dialogs())
-    return work.platform.save_file(name, "", std::move(*bytes), done);
+  if (app.services.platform.has_dialogs())
+    return app.services.platform.save_file(name, "", std::move(*bytes), done);
   Question question;
   question.title = "Export";
   question.words = "Where to, and under which name?";
   question.asks_path = true;
   question.path = name;
-  question.with_path = [&work, name, bytes = std::move(*bytes), done](const std::string& path) {
-    work.platform.save_file(name, path, bytes, done);
+  question.with_path = [&app, name, bytes = std::move(*bytes), done](const std::string& path) {
+    app.services.platform.save_file(name, path, bytes, done);
   };
   question.answers = {{"Export", {}, true}, {"Cancel", {}}};
-  work.question = std::move(question);
+  app.question = std::move(question);
 }
 
 }  // namespace artisketch

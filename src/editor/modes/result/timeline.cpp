@@ -1,11 +1,11 @@
-// The result's clips in time: to play, to set keys on, to drag them.
+#include "editor/modes/result/timeline.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "document/animate.h"
+#include "editor/canvas/controls.h"
 #include "editor/canvas/pointer.h"
-#include "editor/canvas/tools.h"
-#include "editor/shell/panels.h"
 #include "editor/ui/menu.h"
 
 namespace artisketch {
@@ -19,44 +19,46 @@ struct Ruler {
 };
 
 // The time of the key before or after the playhead.
-double key_beside(const Work& work, bool after) {
-  const std::vector<double>& times = work.built->model.clips[std::size_t(work.view.clip)].times;
+double key_beside(const App& app, bool after) {
+  const std::vector<double>& times =
+      app.session.built->model.clips[std::size_t(app.session.playback.clip)].times;
   constexpr double kHere = 1e-3;  // seconds
   double best = after && !times.empty() ? times.back() : 0;
   for (const double time : times) {
-    if (after && time > work.view.time + kHere) return time;
-    if (!after && time < work.view.time - kHere) best = time;
+    if (after && time > app.session.playback.time + kHere) return time;
+    if (!after && time < app.session.playback.time - kHere) best = time;
   }
   return best;
 }
 
-void transport(Work& work, Rect row, double length) {
+void transport(App& app, Rect row, double length) {
   const Theme& t = theme();
-  View& view = work.view;
+  View& view = app.view;
   row = row.inset(14, 0);
   const auto to = [&](double time) {
-    view.time = std::clamp(time, 0.0, length);
-    view.playing = false;
-    view.posed.reset();
-    view.key = -1;
+    app.session.playback.time = std::clamp(time, 0.0, length);
+    app.session.playback.playing = false;
+    app.session.playback.posed.reset();
+    app.session.playback.key = -1;
   };
   Look look;
   look.quiet = true;
   look.icon = icon::kSkipPrevious;
   look.hint = "To the key before";
   if (icon_button("Previous key", row.cut_left(32).middle(32, 32), look))
-    to(key_beside(work, false));
+    to(key_beside(app, false));
   row.cut_left(6);
   Look play;
   play.primary = true;
-  play.icon = view.playing ? icon::kPause : icon::kPlay;
+  play.icon = app.session.playback.playing ? icon::kPause : icon::kPlay;
   play.key = "Space";
-  if (icon_button(view.playing ? "Pause" : "Play", row.cut_left(36).middle(36, 32), play))
-    work.ask(Command::play);
+  if (icon_button(app.session.playback.playing ? "Pause" : "Play", row.cut_left(36).middle(36, 32),
+                  play))
+    app.ask("play");
   row.cut_left(6);
   look.icon = icon::kSkipNext;
   look.hint = "To the key after";
-  if (icon_button("Next key", row.cut_left(32).middle(32, 32), look)) to(key_beside(work, true));
+  if (icon_button("Next key", row.cut_left(32).middle(32, 32), look)) to(key_beside(app, true));
   row.cut_left(6);
   Look loop;
   loop.icon = icon::kRepeat;
@@ -66,33 +68,34 @@ void transport(Work& work, Rect row, double length) {
   if (icon_button("Loop", row.cut_left(36).middle(36, 32), loop)) view.looping = !view.looping;
   row.cut_left(16);
   char now[32], of[32];
-  std::snprintf(now, sizeof now, "%d:%04.1f", int(view.time) / 60, std::fmod(view.time, 60.0));
+  std::snprintf(now, sizeof now, "%d:%04.1f", int(app.session.playback.time) / 60,
+                std::fmod(app.session.playback.time, 60.0));
   std::snprintf(of, sizeof of, "of %d:%04.1f", int(length) / 60, std::fmod(length, 60.0));
   write(row.cut_left(48), Font::body_bold, t.text, now);
   write(row.cut_left(80), Font::caption, t.muted, of);
   row.cut_left(16);
-  command_button(work, Command::new_clip, row.cut_left(104).middle(104, 32));
+  command_button(app, "new_clip", row.cut_left(104).middle(104, 32));
   row.cut_left(8);
-  command_button(work, Command::set_key, row.cut_left(96).middle(96, 32));
+  command_button(app, "set_key", row.cut_left(96).middle(96, 32));
 }
 
 // The keys of a clip of the document's: a click goes there, a drag moves it in time.
-void keys_row(Work& work, int c, const Rect& band, const Ruler& ruler) {
+void keys_row(App& app, int c, const Rect& band, const Ruler& ruler) {
   const Theme& t = theme();
   const int animation = c - 1;
-  const Clip& clip = work.built->model.clips[std::size_t(c)];
+  const Clip& clip = app.session.built->model.clips[std::size_t(c)];
   for (int k = 0; k < int(clip.times.size()); ++k) {
     const ImVec2 at{ruler.of(clip.times[std::size_t(k)]), band.centre().y};
-    const bool chosen = c == work.view.clip && k == work.view.key;
+    const bool chosen = c == app.session.playback.clip && k == app.session.playback.key;
     const Press press = press_area("Key " + std::to_string(k + 1) + " of " + clip.name,
                                    {at.x - 8, band.y, 16, band.h}, true, chosen);
     if (ImGui::IsItemActivated()) {
-      work.gesture = {};
-      work.view.clip = c;
-      work.view.key = k;
-      work.view.time = clip.times[std::size_t(k)];
-      work.view.playing = false;
-      work.view.posed.reset();
+      app.session.begin_gesture();
+      app.session.playback.clip = c;
+      app.session.playback.key = k;
+      app.session.playback.time = clip.times[std::size_t(k)];
+      app.session.playback.playing = false;
+      app.session.playback.posed.reset();
     }
     const float size = chosen || press.hovered ? 6.5f : 5;
     draw().AddQuadFilled({at.x, at.y - size}, {at.x + size, at.y}, {at.x, at.y + size},
@@ -102,33 +105,35 @@ void keys_row(Work& work, int c, const Rect& band, const Ruler& ruler) {
     const double time =
         std::round((ImGui::GetIO().MousePos.x - ruler.x) / ruler.per_second / kLeastStep) *
         kLeastStep;
-    work.change("Move key of " + clip.name, with_key_moved(work.document(), animation, k, time));
-    if (animation < int(work.document().animations.size()))
-      work.view.time = work.document().animations[std::size_t(animation)].keys[std::size_t(k)].time;
+    app.session.change("Move key of " + clip.name,
+                       with_key_moved(app.document(), animation, k, time));
+    if (animation < int(app.document().animations.size()))
+      app.session.playback.time =
+          app.document().animations[std::size_t(animation)].keys[std::size_t(k)].time;
     return;  // the clips are others by now
   }
 }
 
-void clip_menu(Work& work, int c) {
+void clip_menu(App& app, int c) {
   Menu menu;
   if (!menu || !menu.line("Remove clip")) return;
-  const std::string name = work.document().animations[std::size_t(c - 1)].name;
-  work.commit("Remove " + name, without_clip(work.document(), c - 1));
+  const std::string name = app.document().animations[std::size_t(c - 1)].name;
+  app.session.commit("Remove " + name, without_clip(app.document(), c - 1));
 }
 
-void clip_row(Work& work, int c, const Rect& row, const Ruler& ruler) {
+void clip_row(App& app, int c, const Rect& row, const Ruler& ruler) {
   const Theme& t = theme();
-  const Clip clip = work.built->model.clips[std::size_t(c)];
-  const bool on = c == work.view.clip;
+  const Clip clip = app.session.built->model.clips[std::size_t(c)];
+  const bool on = c == app.session.playback.clip;
   const Press press =
       press_area("Clip " + clip.name, {row.x + 8, row.y, kNames - 12, row.h}, true, on);
   if (press.clicked) {
-    work.view.clip = c;
-    work.view.time = 0;
-    work.view.key = -1;
-    work.view.posed.reset();
+    app.session.playback.clip = c;
+    app.session.playback.time = 0;
+    app.session.playback.key = -1;
+    app.session.playback.posed.reset();
   }
-  if (c > 0) clip_menu(work, c);
+  if (c > 0) clip_menu(app, c);
   Rect names = {row.x + 16, row.y, kNames - 20, row.h};
   if (c == 0 && row.h > 40) {
     names.y += names.h / 2 - 18;
@@ -144,43 +149,43 @@ void clip_row(Work& work, int c, const Rect& row, const Ruler& ruler) {
                        kRadiusSmall);
   for (std::size_t k = 0; k < clip.times.size(); ++k) {
     const float x = ruler.of(clip.times[k]);
-    if (c == 0 && k < work.document().frames.size() && row.h > 40) {
+    if (c == 0 && k < app.document().frames.size() && row.h > 40) {
       const float size = row.h - 8;
       const Rect picture{x + 4, row.y + 4, size, size};
-      thumbnail(work, work.document().frames[k], picture, false);
-      if (std::abs(clip.times[k] - work.view.time) < 1e-3)
+      thumbnail(app, app.document().frames[k], picture, false);
+      if (std::abs(clip.times[k] - app.session.playback.time) < 1e-3)
         draw().AddRect(picture.min(), picture.max(), t.accent, kRadiusSmall, 0, 2);
     } else if (c == 0) {
       const float y = band.centre().y;
       draw().AddQuadFilled({x, y - 5}, {x + 5, y}, {x, y + 5}, {x - 5, y}, t.text);
     }
   }
-  if (c > 0) keys_row(work, c, band, ruler);
+  if (c > 0) keys_row(app, c, band, ruler);
 }
 
 }  // namespace
 
-void timeline(Work& work, const Layout& layout) {
+void timeline(App& app, const Layout& layout) {
   const Theme& t = theme();
   Rect place = layout.strip;
   const Panel panel("Timeline", place, t.panel);
   hairline({place.x, place.y}, {place.right(), place.y + 1});
-  if (!work.built || work.built->model.clips.empty()) {
+  if (!app.session.built || app.session.built->model.clips.empty()) {
     write(place, Font::body, t.muted, "Reconstruct makes the model, and a clip of its poses.",
           Align::centre);
     return;
   }
-  const std::vector<Clip>& clips = work.built->model.clips;
+  const std::vector<Clip>& clips = app.session.built->model.clips;
   double longest = 1;
   for (const Clip& clip : clips)
     if (!clip.times.empty()) longest = std::max(longest, clip.times.back());
-  const bool own = work.view.clip > 0;
-  const std::vector<double>& times = clips[std::size_t(work.view.clip)].times;
+  const bool own = app.session.playback.clip > 0;
+  const std::vector<double>& times = clips[std::size_t(app.session.playback.clip)].times;
   const double length = times.empty() ? 0 : times.back();
   // One's own clip may grow: the playhead goes a little beyond its end.
   if (own) longest = std::max(longest, length + 1);
   const double reach = own ? longest : length;
-  transport(work, place.cut_top(52), length);
+  transport(app, place.cut_top(52), length);
   Ruler ruler{place.x + kNames, 0};
   ruler.per_second = (place.right() - 64 - ruler.x) / float(longest);
   // The ruler, and the playhead on it.
@@ -188,11 +193,11 @@ void timeline(Work& work, const Layout& layout) {
   const Press press =
       press_area("Playhead", {ruler.x - 6, scale.y, place.right() - ruler.x, scale.h});
   if (press.held) {
-    work.view.time =
+    app.session.playback.time =
         std::clamp(double((ImGui::GetIO().MousePos.x - ruler.x) / ruler.per_second), 0.0, reach);
-    work.view.playing = false;
-    work.view.key = -1;
-    work.view.posed.reset();
+    app.session.playback.playing = false;
+    app.session.playback.key = -1;
+    app.session.playback.posed.reset();
   }
   for (int quarter = 0; quarter <= int(longest * 4 + 0.5); ++quarter) {
     const float x = ruler.of(quarter / 4.0);
@@ -205,8 +210,8 @@ void timeline(Work& work, const Layout& layout) {
   const int rows = int(clips.size());
   const float tall = std::min(48.0f, place.h - 4 - 26 * std::min(1.0f, float(rows - 1)));
   for (int c = 0; c < rows && c < int(clips.size()) && place.h > 20; ++c)
-    clip_row(work, c, place.cut_top(c == 0 ? tall : 26), ruler);
-  const float x = ruler.of(work.view.time);
+    clip_row(app, c, place.cut_top(c == 0 ? tall : 26), ruler);
+  const float x = ruler.of(app.session.playback.time);
   draw().AddLine({x, scale.y + 4}, {x, layout.strip.bottom() - 4}, t.accent, 2);
   draw().AddRectFilled({x - 6, scale.y}, {x + 6, scale.y + 8}, t.accent, 2);
   draw().AddTriangleFilled({x - 6, scale.y + 7}, {x + 6, scale.y + 7}, {x, scale.y + 13}, t.accent);

@@ -1,12 +1,13 @@
-// Skeleton: the chosen joint's name and its fellows, and skeletons to begin with.
+#include "editor/modes/skeleton/skeleton_panel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "document/edit.h"
 #include "document/skeleton_edit.h"
-#include "editor/session/actions.h"
-#include "editor/shell/panels.h"
+#include "editor/canvas/controls.h"
+#include "editor/session/files.h"
 
 namespace artisketch {
 namespace {
@@ -42,7 +43,7 @@ void stick_figure(Template kind, const Rect& place, ImU32 colour) {
     draw().AddCircleFilled(at(j), skeleton.size() == 1 ? 4.0f : 2.2f, colour);
 }
 
-void template_card(Work& work, const TemplateWords& words, const Rect& card) {
+void template_card(App& app, const TemplateWords& words, const Rect& card) {
   const Theme& t = theme();
   const Press press = press_area(std::string("Template ") + words.name, card);
   draw().AddRectFilled(card.min(), card.max(), press.hovered ? t.hover : t.control, kRadiusCard);
@@ -50,15 +51,15 @@ void template_card(Work& work, const TemplateWords& words, const Rect& card) {
   write(inside.cut_bottom(18), Font::caption, t.text, words.name, Align::centre);
   stick_figure(words.kind, inside.inset(6, 4), press.hovered ? t.accent : t.muted);
   if (press.hovered) tooltip(words.about, "");
-  if (press.clicked) begin_with_template(work, words.kind);
+  if (press.clicked) begin_with_template(app, words.kind);
 }
 
 // The chosen joint's name, to type over.
-void name_row(Work& work, Rect row) {
+void name_row(App& app, Rect row) {
   const Theme& t = theme();
-  const int joint = work.view.joint;
-  Naming& naming = work.naming;
-  const std::string& name = work.document().skeleton.joints[std::size_t(joint)].name;
+  const int joint = app.session.selection.joint;
+  Naming& naming = app.session.naming;
+  const std::string& name = app.document().skeleton.joints[std::size_t(joint)].name;
   const JointWords words = joint_words(name);
   if (naming.joint != joint || naming.of != name) naming = {joint, name, words.name, naming.begin};
   draw().AddCircleFilled({row.x + 8, row.centre().y}, 7, joint_tint(joint));
@@ -69,25 +70,25 @@ void name_row(Work& work, Rect row) {
   }
   const bool entered = text_field("Joint name", row, naming.typed, naming.begin);
   // The keyboard arrives some frames later: a window that rests must not wait for the first key.
-  if (std::exchange(naming.begin, false)) work.platform.request_frame();
+  if (std::exchange(naming.begin, false)) app.services.platform.request_frame();
   if (!entered && !ImGui::IsItemDeactivatedAfterEdit()) return;
   if (naming.typed == words.name) return;
-  Document next = with_joint_renamed(work.document(), joint, naming.typed);
+  Document next = with_joint_renamed(app.document(), joint, naming.typed);
   if (next.skeleton.joints[std::size_t(joint)].name != name)
-    work.commit("Rename " + words.whole(), std::move(next));
+    app.session.commit("Rename " + words.whole(), std::move(next));
 }
 
-std::string fellow_words(const Work& work) {
-  const std::vector<Joint>& joints = work.document().skeleton.joints;
-  const int mirror = joints[std::size_t(work.view.joint)].mirror;
+std::string fellow_words(const App& app) {
+  const std::vector<Joint>& joints = app.document().skeleton.joints;
+  const int mirror = joints[std::size_t(app.session.selection.joint)].mirror;
   if (mirror < 0) return "Has no mirror image";
-  if (mirror == work.view.joint) return "In the middle";
+  if (mirror == app.session.selection.joint) return "In the middle";
   return "Mirror image of " + joint_words(joints[std::size_t(mirror)].name).whole();
 }
 
-void chosen_joint(Work& work, Rect& place) {
+void chosen_joint(App& app, Rect& place) {
   const Theme& t = theme();
-  if (work.view.joint < 0) {
+  if (app.session.selection.joint < 0) {
     const float taken = write_lines(place.inset(16, 0), Font::body, t.muted,
                                     "Choose a joint to move or name it. Then a click beside it "
                                     "adds the next one.",
@@ -95,25 +96,25 @@ void chosen_joint(Work& work, Rect& place) {
     place.cut_top(taken + 12);
     return;
   }
-  name_row(work, place.cut_top(34).inset(16, 0));
+  name_row(app, place.cut_top(34).inset(16, 0));
   place.cut_top(6);
-  write(place.cut_top(20).inset(42, 0), Font::caption, t.muted, fellow_words(work));
+  write(place.cut_top(20).inset(42, 0), Font::caption, t.muted, fellow_words(app));
   place.cut_top(8);
   Rect row = place.cut_top(34).inset(16, 0);
-  command_button(work, Command::equalise, row.cut_left(row.w / 2 - 4));
+  command_button(app, "equalise", row.cut_left(row.w / 2 - 4));
   row.cut_left(8);
-  command_button(work, Command::remove, row);
+  command_button(app, "delete_joint", row);
   place.cut_top(10);
 }
 
-void size_row(Work& work, Rect row) {
+void size_row(App& app, Rect row) {
   const Theme& t = theme();
   write(row.cut_left(row.w - 72), Font::body, t.text, "Size of the whole");
   Look look;
   look.icon = icon::kMinus;
   look.hint = "Make the skeleton smaller";
   const auto scale = [&](double factor) {
-    work.commit("Scale skeleton", with_figure_scaled(work.document(), factor));
+    app.session.commit("Scale skeleton", with_figure_scaled(app.document(), factor));
   };
   constexpr double kStep = 1.03;
   if (icon_button("Smaller skeleton", row.cut_left(34), look)) scale(1 / kStep);
@@ -123,51 +124,56 @@ void size_row(Work& work, Rect row) {
   if (icon_button("Larger skeleton", row, look)) scale(kStep);
 }
 
-}  // namespace
+void both_sides_box(App& app, const Rect& place) {
+  bool on = app.view.both_sides;
+  if (checkbox("Both sides alike", place, on)) app.ask("both_sides");
+}
 
-void template_cards(Work& work, Rect place, int columns) {
+void template_cards(App& app, Rect place, int columns) {
   const float gap = 8, width = (place.w - gap * float(columns - 1)) / float(columns);
   const int count = int(all_templates().size()), rows = (count + columns - 1) / columns;
   const float height = std::min(92.0f, (place.h - gap * float(rows - 1)) / float(rows));
   for (int i = 0; i < count; ++i)
-    template_card(work, all_templates()[std::size_t(i)],
+    template_card(app, all_templates()[std::size_t(i)],
                   {place.x + float(i % columns) * (width + gap),
                    place.y + float(i / columns) * (height + gap), width, height});
 }
 
-void skeleton_sheet(Work& work, Rect place) {
-  if (work.view.joint < 0)
-    return template_cards(work, place.inset(12, 14), int(all_templates().size()));
+}  // namespace
+
+void skeleton_sheet(App& app, Rect place) {
+  if (app.session.selection.joint < 0)
+    return template_cards(app, place.inset(12, 14), int(all_templates().size()));
   place = place.inset(16, 20);
   Rect row = place.cut_top(44);
-  size_row(work, row.cut_right(260).middle(260, 34));
+  size_row(app, row.cut_right(260).middle(260, 34));
   row.cut_right(24);
-  name_row(work, row);
+  name_row(app, row);
   place.cut_top(12);
   row = place.cut_top(44);
-  checkbox("Both sides alike", row.cut_right(260).middle(260, 30), work.view.both_sides);
+  both_sides_box(app, row.cut_right(260).middle(260, 30));
   row.cut_left(26);
-  write(row, Font::caption, theme().muted, fellow_words(work));
+  write(row, Font::caption, theme().muted, fellow_words(app));
 }
 
-void skeleton_panel(Work& work, Rect place) {
+void skeleton_panel(App& app, Rect place) {
   const Theme& t = theme();
   Rect head = place.cut_top(48).inset(16, 0);
   write(head.cut_left(text_width(Font::title, "Skeleton") + 8), Font::title, t.text, "Skeleton");
-  const int joints = work.document().skeleton.size();
+  const int joints = app.document().skeleton.size();
   write(head, Font::caption, t.muted,
         std::to_string(joints) + (joints == 1 ? " joint" : " joints"));
-  chosen_joint(work, place);
+  chosen_joint(app, place);
   Rect both = place.cut_top(30).inset(16, 0);
   key_cap(both.cut_right(24).middle(24, 18), "X");
-  checkbox("Both sides alike", both, work.view.both_sides);
-  size_row(work, place.cut_top(34).inset(16, 0));
+  both_sides_box(app, both);
+  size_row(app, place.cut_top(34).inset(16, 0));
   place.cut_top(14);
   hairline({place.x + 16, place.y}, {place.right() - 16, place.y + 1});
   place.cut_top(6);
   write(place.cut_top(34).inset(16, 0), Font::title, t.text, "Start from");
   place.cut_top(4);
-  template_cards(work, place.inset(16, 0), 3);
+  template_cards(app, place.inset(16, 0), 3);
 }
 
 }  // namespace artisketch

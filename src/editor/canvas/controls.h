@@ -1,0 +1,32 @@
+// What several panels show of the document and its commands.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "editor/session/app.h"
+#include "editor/ui/ui.h"
+
+namespace artisketch {
+
+// A button for a command: its icon, key and hint, pressed in where it is on; asks for it when
+// clicked.
+void command_button(App& app, std::string_view command, const Rect& place, Look look = {});
+void command_icon(App& app, std::string_view command, const Rect& place, Look look = {});
+// How such a button looks, for one of another shape.
+Look command_look(const App& app, const Command& command, Look look = {});
+
+// A small picture of a drawing with its outlines.
+void thumbnail(const App& app, const Frame& frame, const Rect& place, bool outlines = true);
+
+// A joint's name as people read it, its side smaller.
+void part_name(Rect row, const std::string& name, bool chosen);
+
+// Each joint as a control that scripts and screen readers find: "Joint Hand L".
+void record_joints(const App& app, const OnScreen& on);
+
+// A model as its panel sees it.
+void show_model(const BuiltModel& built, const Eye& eye, const PaintOptions& options,
+                RenderTarget& picture, float opacity, float pixel_ratio, float radius = 0);
+
+}  // namespace artisketch

@@ -1,0 +1,85 @@
+// Pose: what can be done to the pose of the drawing in view.
+#include "document/edit.h"
+#include "document/posing.h"
+#include "editor/canvas/pointer.h"
+#include "editor/modes/mode_commands.h"
+#include "editor/modes/pose/pose_suggest.h"
+#include "editor/session/app.h"
+#include "editor/session/commands.h"
+#include "editor/ui/icons.h"
+
+namespace artisketch {
+namespace {
+
+void flip(App& app) {
+  const Skeleton& skeleton = app.document().skeleton;
+  const Selection& selection = app.session.selection;
+  app.session.commit("Flip " + part_words(app, start_of_bone(skeleton, selection.joint)),
+                     with_pose(app.document(), selection.frame,
+                               with_bone_flipped(skeleton, app.frame().pose,
+                                                 end_of_bone(skeleton, selection.joint))));
+}
+
+void lock_or_free(App& app) {
+  const int joint = app.session.selection.joint;
+  const bool locked = is_locked(app.document(), joint);
+  app.session.commit((locked ? "Free " : "Lock ") + part_words(app, joint),
+                     with_lock(app.document(), joint, !locked));
+}
+
+void reset_pose(App& app) {
+  app.session.commit("Reset pose", with_pose(app.document(), app.session.selection.frame,
+                                             fitted_rest_pose(app.document(), app.frame())));
+}
+
+std::string suggest_lacks(const App& app) {
+  const std::string first = what_comes_first(app);
+  return first.empty() ? "Outline more parts in this drawing first." : first;
+}
+
+}  // namespace
+
+std::vector<Command> pose_commands() {
+  std::vector<Command> all = {
+      {.id = "flip",
+       .name = "Flip",
+       .icon = icon::kSwapHorizontal,
+       .about = "Flip the bone toward you or away",
+       .key = ImGuiKey_F,
+       .available =
+           [](const App& app) { return app.session.selection.joint > 0 && app.has_frame(); },
+       .run = flip},
+      {.id = "lock",
+       .name = "Lock",
+       .icon = icon::kLockOutline,
+       .about = "Calibration keeps this part's turn, or may change it again",
+       .key = ImGuiKey_L,
+       .available = [](const App& app) { return app.session.selection.joint >= 0; },
+       .run = lock_or_free},
+      {.id = "suggest",
+       .name = "Suggest",
+       .icon = icon::kAutoFix,
+       .about = "Find a pose from the outlines",
+       .key = ImGuiKey_S,
+       .available =
+           [](const App& app) { return app.has_frame() && app.frame().contours.size() > 1; },
+       .what_it_lacks = suggest_lacks,
+       .run = suggest_pose},
+      {.id = "copy_pose",
+       .name = "Copy",
+       .icon = icon::kContentCopy,
+       .about = "Take the pose of another drawing",
+       .key = ImGuiKey_C,
+       .available = [](const App& app) { return app.document().frames.size() > 1; },
+       .run = [](App& app) { app.view.choosing_pose = true; }},
+      {.id = "reset_pose",
+       .name = "Reset",
+       .icon = icon::kBackupRestore,
+       .available = [](const App& app) { return app.has_frame(); },
+       .run = reset_pose},
+  };
+  for (Command& command : all) command.mode = Mode::pose, command.in_rail = command.in_menu = true;
+  return all;
+}
+
+}  // namespace artisketch

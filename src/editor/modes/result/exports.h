@@ -1,0 +1,22 @@
+// The model out, as a file.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "editor/session/app.h"
+
+namespace artisketch {
+
+struct ExportFormat {
+  const char* name;
+  const char* about;
+  const char* icon;
+  const char* ending;
+  Result<std::string> (*bytes)(const App& app);
+};
+std::span<const ExportFormat> export_formats();
+std::string export_name(const App& app, const ExportFormat& format);
+void export_model(App& app);  // in the format that was chosen
+
+}  // namespace artisketch

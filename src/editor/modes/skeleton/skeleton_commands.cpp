@@ -1,0 +1,82 @@
+// Skeleton: what can be done to the chosen joint.
+#include <algorithm>
+
+#include "document/edit.h"
+#include "document/skeleton_edit.h"
+#include "editor/canvas/pointer.h"
+#include "editor/modes/mode_commands.h"
+#include "editor/session/app.h"
+#include "editor/ui/icons.h"
+
+namespace artisketch {
+namespace {
+
+bool is_chosen(const App& app) {
+  return app.session.selection.joint >= 0;
+}
+
+void equalise(App& app) {
+  const int joint = app.session.selection.joint;
+  const std::string whose =
+      joint < 0 ? "pairs"
+                : joint_words(app.document().skeleton.joints[std::size_t(joint)].name).name;
+  app.session.commit("Equalise " + whose, with_pair_lengths_equal(app.document(), joint));
+}
+
+void delete_joint(App& app) {
+  const std::vector<Joint>& joints = app.document().skeleton.joints;
+  const int joint = app.session.selection.joint;
+  const std::string name = part_words(app, joint);
+  std::optional<Document> next = without_joint(app.document(), joint, app.view.both_sides);
+  if (!next) {
+    Toast toast;
+    toast.words = "All others hang on " + name + ". Delete those first.";
+    app.say(std::move(toast));
+    return;
+  }
+  const int parent = std::max(0, joints[std::size_t(joint)].parent);
+  const int chosen = next->skeleton.find(joints[std::size_t(parent)].name);
+  app.session.commit("Delete " + name, std::move(*next));
+  app.session.selection.joint = chosen;
+}
+
+}  // namespace
+
+std::vector<Command> skeleton_commands() {
+  std::vector<Command> all = {
+      {.id = "both_sides",
+       .name = "Mirror",
+       .icon = icon::kCompare,
+       .about = "Do to both sides what is done to one",
+       .key = ImGuiKey_X,
+       .on = [](const App& app) { return app.view.both_sides; },
+       .run = [](App& app) { app.view.both_sides ^= true; }},
+      {.id = "equalise",
+       .name = "Equalise",
+       .icon = icon::kSwapHorizontal,
+       .about = "Make the bone as long as its mirror image; all pairs where none is chosen",
+       .key = ImGuiKey_L,
+       .in_menu = true,
+       .run = equalise},
+      {.id = "rename",
+       .name = "Rename",
+       .icon = icon::kKeyboard,
+       .about = "Name the joint",
+       .key = ImGuiKey_F2,
+       .in_menu = true,
+       .available = is_chosen,
+       .run = [](App& app) { app.session.naming.begin = true; }},
+      {.id = "delete_joint",
+       .name = "Delete",
+       .icon = icon::kDelete,
+       .key = ImGuiKey_Delete,
+       .other_key = ImGuiKey_Backspace,
+       .in_menu = true,
+       .available = is_chosen,
+       .run = delete_joint},
+  };
+  for (Command& command : all) command.mode = Mode::skeleton, command.in_rail = true;
+  return all;
+}
+
+}  // namespace artisketch

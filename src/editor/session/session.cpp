@@ -1,0 +1,76 @@
+#include "editor/session/session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "document/animate.h"
+
+namespace artisketch {
+
+Session::Session(Document document) : history(std::move(document)) {
+  static long last = 0;
+  id_ = ++last;
+  file.saved = backup.revision = backup.seen = history.revision();
+}
+
+void Session::commit(std::string undo_name, Document next) {
+  history.commit(std::move(undo_name), std::move(next));
+  settle();
+}
+
+long Session::begin_gesture() {
+  gesture_moved_ = false;
+  return ++gesture_;
+}
+
+void Session::change(const std::string& undo_name, Document next) {
+  if (!std::exchange(gesture_moved_, true)) return commit(undo_name, std::move(next));
+  history.amend(std::move(next));
+  settle();
+}
+
+void Session::drop_gesture() {
+  if (gesture_moved_) undo();
+  begin_gesture();
+}
+
+void Session::undo() {
+  history.undo();
+  begin_gesture();
+  settle();
+}
+
+void Session::redo() {
+  history.redo();
+  begin_gesture();
+  settle();
+}
+
+namespace {
+bool same_joints(const Skeleton& a, const Skeleton& b) {
+  return std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end(),
+                    [](const Joint& p, const Joint& q) { return p.parent == q.parent; });
+}
+}  // namespace
+
+void Session::settle() {
+  const Document& now = document();
+  selection.frame = std::clamp(selection.frame, 0, std::max(0, int(now.frames.size()) - 1));
+  if (selection.joint >= now.skeleton.size()) selection.joint = -1;
+  if (!has_frame() || selection.contour >= int(frame().contours.size())) selection.contour = -1;
+  selection.point = -1;  // found anew with the pointer
+  // Parts of another skeleton stand in no pose of this one.
+  if (live.model && !same_joints(live.model->model.skeleton, now.skeleton)) live = Live();
+  follow_document();
+  if (proposal && proposal->revision != history.revision()) proposal.reset();
+  if (new_outline && new_outline->frame >= int(now.frames.size())) new_outline.reset();
+}
+
+void Session::follow_document() {
+  if (!built) return;
+  built->fresh = same_model(document(), built->source);
+  built->take_clips(document());
+  if (playback.clip >= int(built->model.clips.size())) playback.clip = 0, playback.key = -1;
+}
+
+}  // namespace artisketch
