@@ -216,6 +216,8 @@ Result<Sides> sides_of(std::string_view bytes, const std::string& name, long lon
   constexpr std::size_t kToReadHeaders = 1 << 20;
   most_at_once = kToReadHeaders;
   if (bytes.size() > std::size_t(INT32_MAX)) return unreadable(name, "is larger than 2 GB");
+  if (!is_png(bytes) && !is_jpeg(bytes) && !is_gif(bytes))  // stb takes more for one of them
+    return unreadable(name, "is no PNG or JPEG image");
   Sides sides;
   int channels = 0;
   // stb takes a PNG of a size that it can't hold for none at all.
@@ -259,7 +261,65 @@ long long gif_pictures(std::string_view bytes) {
 
 }  // namespace
 
+namespace {
+
+// Whether Huffman tables fill their segment, with 256 codes each at most.
+bool whole_tables(std::string_view body) {
+  constexpr std::size_t kLengths = 16, kMostCodes = 256;
+  while (!body.empty()) {
+    if (body.size() < 1 + kLengths) return false;
+    std::size_t codes = 0;
+    for (std::size_t i = 1; i <= kLengths; ++i) codes += std::uint8_t(body[i]);
+    if (codes > kMostCodes || body.size() < 1 + kLengths + codes) return false;
+    body.remove_prefix(1 + kLengths + codes);
+  }
+  return true;
+}
+
+// A JPEG of the same pixels, of nothing but what they need: whole segments one after the other.
+// stb writes beyond its memory where a Huffman table has more codes than there are, and looks for
+// tables in other places than we would in a file that is damaged. Nothing where a table is broken.
+std::optional<std::string> plain_jpeg(std::string_view bytes) {
+  constexpr unsigned kScan = 0xDA, kEnd = 0xD9, kTables = 0xC4, kComment = 0xFE;
+  const auto byte = [&](std::size_t at) { return unsigned(std::uint8_t(bytes[at])); };
+  // What may stand behind 0xFF without a segment: in a scan a byte 0xFF, or where it goes on.
+  const auto bare = [](unsigned kind) { return kind == 0 || (kind >= 0xD0 && kind <= 0xD7); };
+  std::string plain(bytes.substr(0, 2));
+  for (std::size_t at = 2; at + 4 <= bytes.size();) {
+    const unsigned kind = byte(at + 1);
+    if (byte(at) != 0xFF || kind == 0xFF || bare(kind)) {
+      ++at;
+      continue;
+    }
+    if (kind == kEnd) break;
+    const std::size_t length = 2 + big_endian(bytes, at + 2, 2);
+    if (length < 4 || at + length > bytes.size()) break;  // cut off
+    const std::string_view segment = bytes.substr(at, length);
+    if (kind == kTables && !whole_tables(segment.substr(4))) return std::nullopt;
+    constexpr unsigned kJfif = 0xE0, kAdobe = 0xEE, kLastOfPrograms = 0xEF;
+    const bool of_program =
+        kind >= kJfif && kind <= kLastOfPrograms && kind != kJfif && kind != kAdobe;
+    if (!of_program && kind != kComment) plain += segment;
+    at += length;
+    if (kind != kScan) continue;
+    std::size_t end = at;
+    while (end + 1 < bytes.size() && (byte(end) != 0xFF || bare(byte(end + 1)))) ++end;
+    plain += bytes.substr(at, end - at);
+    at = end;
+  }
+  return plain + "\xff\xd9";
+}
+
+}  // namespace
+
 Result<Image> decode_image(std::string_view bytes, const std::string& name) {
+  const int turned = orientation(bytes);
+  std::optional<std::string> plain;
+  if (is_jpeg(bytes)) {
+    plain = plain_jpeg(bytes);
+    if (!plain) return unreadable(name, "is damaged (a table of codes that is too long)");
+    bytes = *plain;
+  }
   const Result<Sides> sides = sides_of(bytes, name, 1);
   if (!sides) return sides.error();
   int width = 0, height = 0, channels = 0;
@@ -269,7 +329,7 @@ Result<Image> decode_image(std::string_view bytes, const std::string& name) {
   if (!pixels) return unreadable(name, "is damaged (" + std::string(stbi_failure_reason()) + ")");
   Image image(width, height);
   std::copy_n(pixels.get(), image.rgba.size(), image.rgba.begin());
-  return upright(std::move(image), orientation(bytes));
+  return upright(std::move(image), turned);
 }
 
 std::string colour_profile(std::string_view bytes) {

@@ -340,6 +340,22 @@ TEST(ImageFile, APictureThatInflatesBeyondItsSizeIsRefused) {
   EXPECT_NE(read.error().text().find("memory"), std::string::npos) << read.error().text();
 }
 
+// stb has room for 256 codes, and writes on.
+TEST(ImageFile, AJpegWithATableOfTooManyCodesIsRefused) {
+  std::string jpeg = red_jpeg();
+  const std::size_t table = jpeg.find("\xff\xc4");
+  ASSERT_NE(table, jpeg.npos);
+  std::string segment("\xff\xc4", 2);
+  const std::size_t codes = 16 * 255;
+  segment += char((19 + codes) >> 8);
+  segment += char((19 + codes) & 255);
+  segment += '\0';
+  segment += std::string(16, '\xff') + std::string(codes, '\0');
+  EXPECT_FALSE(decode_image(jpeg.substr(0, table) + segment + jpeg.substr(table), "x"));
+  // Nor where what begins it isn't quite what begins a JPEG, which stb takes for one all the same.
+  EXPECT_FALSE(decode_image("\xff" + jpeg.substr(0, table) + segment + jpeg.substr(table), "x"));
+}
+
 TEST(ImageFile, ASizeThatNobodyDrawsIsNamedNotDecoded) {
   const std::string png = png_bytes(checks(16, 16, 255));
   for (const char* side : {"\0\0\xea\x60", "\x7f\xff\xff\xff", "\xff\xff\xff\xff"}) {
