@@ -56,6 +56,37 @@ TEST_F(Files, WhatWasSavedOpensAsItWas) {
   EXPECT_NE(saved.find("data:image/png"), std::string::npos) << "drawings go along";
 }
 
+// Half done as it is: the editor shows where it crosses, and mends it.
+TEST_F(Files, AnOutlineThatCrossesItselfIsSavedAndOpened) {
+  h.key(ImGuiKey_D);
+  std::vector<Vec2> eight;
+  for (int i = 0; i <= 64; ++i) {
+    const double a = 2 * M_PI * i / 64 + 0.3;
+    eight.push_back(h.on_screen(250, 330) + 60 * Vec2(std::sin(a), std::sin(2 * a) / 1.5));
+  }
+  h.draw(eight);
+  h.key(ImGuiKey_Enter);
+  ASSERT_TRUE(h.enabled("Mend"));
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl);
+  Harness other;
+  other.open("hero.artisketch", h.platform.files["/kept/hero.artisketch"]);
+  EXPECT_EQ(other.said(), "");
+  ASSERT_EQ(other.document().frames.size(), 3u);
+  EXPECT_EQ(contours(other).size(), was.frames[0].contours.size() + 1);
+}
+
+TEST(FilesAlone, ADocumentWithoutDrawingsIsSavedAndOpened) {
+  Harness h;
+  h.start_over();
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl);
+  ASSERT_EQ(h.platform.files.size(), 1u);
+  Harness other;
+  other.open("untitled.artisketch", h.platform.files.begin()->second);
+  EXPECT_EQ(other.said(), "");
+  EXPECT_EQ(other.state().mode, "outline");
+  EXPECT_EQ(other.document().skeleton.size(), h.document().skeleton.size());
+}
+
 TEST_F(Files, SaveAsKeepsBoth) {
   h.key(ImGuiKey_S, ImGuiMod_Ctrl);
   h.platform.files["/kept/hero.artisketch"] = "the old one";
