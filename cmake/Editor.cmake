@@ -98,7 +98,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/ui/ui.cpp
   src/editor/gl/damage.cpp
   src/editor/pictures/drawings.cpp
-  src/editor/pictures/eye.cpp
+  src/editor/pictures/view_projection.cpp
   src/editor/pictures/model_picture.cpp
   src/editor/session/app.cpp
   src/editor/session/built_model.cpp

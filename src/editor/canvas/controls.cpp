@@ -68,11 +68,13 @@ void record_joints(const App& app, const OnScreen& on) {
   }
 }
 
-void show_model(const BuiltModel& built, const Eye& eye, const PaintOptions& options,
-                RenderTarget& picture, float opacity, float pixel_ratio, float radius) {
-  built.picture->paint(built.model, eye, options, picture, pixel_ratio);
+void show_model(const BuiltModel& built, const ViewProjection& projection,
+                const PaintOptions& options, RenderTarget& picture, float opacity,
+                float pixel_ratio, float radius) {
+  built.picture->paint(built.model, projection, options, picture, pixel_ratio);
   // OpenGL's pictures begin at the bottom.
-  show_picture(picture.texture(), eye.place, opacity, {0, 1}, {1, 0}, IM_COL32_WHITE, radius);
+  show_picture(picture.texture(), projection.place, opacity, {0, 1}, {1, 0}, IM_COL32_WHITE,
+               radius);
 }
 
 }  // namespace artisketch

@@ -26,7 +26,8 @@ void part_name(Rect row, const std::string& name, bool chosen);
 void record_joints(const App& app, const OnScreen& on);
 
 // A model as its panel sees it.
-void show_model(const BuiltModel& built, const Eye& eye, const PaintOptions& options,
-                RenderTarget& picture, float opacity, float pixel_ratio, float radius = 0);
+void show_model(const BuiltModel& built, const ViewProjection& projection,
+                const PaintOptions& options, RenderTarget& picture, float opacity,
+                float pixel_ratio, float radius = 0);
 
 }  // namespace artisketch

@@ -126,11 +126,11 @@ int joint_at(const std::vector<Transform>& posed, const FrameCamera& camera, con
   return best;
 }
 
-Vec3 under_pointer(const Eye& eye, ImVec2 p, const Vec3& X) {
-  Eigen::Vector4d clip = eye.clip * X.homogeneous();
-  clip.x() = clip.w() * (2 * (p.x - eye.place.x) / eye.place.w - 1);
-  clip.y() = clip.w() * (1 - 2 * (p.y - eye.place.y) / eye.place.h);
-  return (eye.clip.inverse() * clip).hnormalized();
+Vec3 under_pointer(const ViewProjection& projection, ImVec2 p, const Vec3& X) {
+  Eigen::Vector4d clip = projection.clip * X.homogeneous();
+  clip.x() = clip.w() * (2 * (p.x - projection.place.x) / projection.place.w - 1);
+  clip.y() = clip.w() * (1 - 2 * (p.y - projection.place.y) / projection.place.h);
+  return (projection.clip.inverse() * clip).hnormalized();
 }
 
 }  // namespace artisketch

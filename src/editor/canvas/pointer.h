@@ -40,7 +40,7 @@ int joint_at(const std::vector<Transform>& posed, const FrameCamera& camera, con
              ImVec2 p, float reach = 14);
 
 // The world point that shows at a place on screen, as deep as X.
-Vec3 under_pointer(const Eye& eye, ImVec2 p, const Vec3& X);
+Vec3 under_pointer(const ViewProjection& projection, ImVec2 p, const Vec3& X);
 
 // What people call a joint's part.
 std::string part_words(const App& app, int joint);

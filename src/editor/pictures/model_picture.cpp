@@ -170,20 +170,20 @@ void ModelPicture::colour_vertices(const Model& model, const PaintOptions& optio
   mesh_->colour(colours);
 }
 
-void ModelPicture::paint(const Model& model, const Eye& eye, const PaintOptions& options,
-                         RenderTarget& picture, float pixel_ratio) {
-  next_.clip = eye.clip;
-  next_.turn = eye.turn;
+void ModelPicture::paint(const Model& model, const ViewProjection& projection,
+                         const PaintOptions& options, RenderTarget& picture, float pixel_ratio) {
+  next_.clip = projection.clip;
+  next_.turn = projection.turn;
   next_.options = options;
-  next_.width = int(std::lround(eye.place.w * pixel_ratio));
-  next_.height = int(std::lround(eye.place.h * pixel_ratio));
+  next_.width = int(std::lround(projection.place.w * pixel_ratio));
+  next_.height = int(std::lround(projection.place.h * pixel_ratio));
   if (picture.shows(next_)) return;
   hand_over(model, picture.graphics());
   move_vertices(model, next_);
   colour_vertices(model, options);
   MeshLook look;
-  look.clip = eye.clip.cast<float>();
-  look.turn = eye.turn.cast<float>();
+  look.clip = projection.clip.cast<float>();
+  look.turn = projection.turn.cast<float>();
   look.texture = options.surface == Surface::textured ? texture_ : 0;
   look.edges_alone = options.surface == Surface::wireframe;
   if (look.edges_alone) load_edges(model);

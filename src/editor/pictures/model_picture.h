@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "editor/pictures/eye.h"
 #include "editor/pictures/graphics.h"
+#include "editor/pictures/view_projection.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -62,8 +62,8 @@ class ModelPicture {
   // Poses the model for what is painted next; `shift` moves it, in units.
   void pose(const Pose& pose, const Vec3& shift);
   // Leaves the picture alone where it shows just that already.
-  void paint(const Model& model, const Eye& eye, const PaintOptions& options, RenderTarget& picture,
-             float pixel_ratio);
+  void paint(const Model& model, const ViewProjection& projection, const PaintOptions& options,
+             RenderTarget& picture, float pixel_ratio);
 
  private:
   void hand_over(const Model& model, Graphics& graphics);  // to the card, once

@@ -7,7 +7,7 @@
 #include <imgui.h>
 
 #include "document/document.h"
-#include "editor/pictures/eye.h"
+#include "editor/pictures/view_projection.h"
 #include "editor/ui/rect.h"
 
 namespace artisketch {
@@ -40,7 +40,7 @@ struct Pointer {
 
 // The model as it stands in its panel.
 struct ModelStage {
-  Eye eye;
+  ViewProjection projection;
   Pose pose;
   Vec3 shift = Vec3::Zero();  // that sets its feet on the ground
   std::vector<Vec3> joints;   // posed, in the world

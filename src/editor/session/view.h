@@ -6,8 +6,8 @@
 #include <cstddef>
 
 #include "document/trace.h"
-#include "editor/pictures/eye.h"
 #include "editor/pictures/model_picture.h"
+#include "editor/pictures/view_projection.h"
 #include "editor/session/on_screen.h"
 #include "model/stages.h"
 

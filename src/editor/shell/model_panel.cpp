@@ -41,13 +41,14 @@ bool navigate(Orbit& orbit, const Fingers& fingers, const Rect& place, bool free
   return press.clicked && free_to_turn && !pointer_dragged();
 }
 
-void paint_joints(const App& app, const Eye& eye, const std::vector<Vec3>& joints) {
+void paint_joints(const App& app, const ViewProjection& projection,
+                  const std::vector<Vec3>& joints) {
   const Skeleton& skeleton = app.shown()->model.skeleton;
   for (int j = 1; j < skeleton.size(); ++j)
-    draw().AddLine(eye.project(joints[std::size_t(skeleton.joints[j].parent)]),
-                   eye.project(joints[std::size_t(j)]), rgb(0xFFFFFF, 0.85f), 1.5f);
+    draw().AddLine(projection.project(joints[std::size_t(skeleton.joints[j].parent)]),
+                   projection.project(joints[std::size_t(j)]), rgb(0xFFFFFF, 0.85f), 1.5f);
   for (int j = 0; j < skeleton.size(); ++j) {
-    const ImVec2 p = eye.project(joints[std::size_t(j)]);
+    const ImVec2 p = projection.project(joints[std::size_t(j)]);
     if (j == app.session.selection.joint) draw().AddCircle(p, 9, theme().accent, 0, 2);
     draw().AddCircleFilled(p, 4, rgb(0xFFFFFF));
     draw().AddCircleFilled(p, 2.75f, joint_tint(j));
@@ -55,7 +56,7 @@ void paint_joints(const App& app, const Eye& eye, const std::vector<Vec3>& joint
 }
 
 // Which way is up: three short axes.
-void paint_axes(const Eye& eye, ImVec2 centre) {
+void paint_axes(const ViewProjection& projection, ImVec2 centre) {
   struct Axis {
     Vec3 direction;
     unsigned colour;
@@ -64,7 +65,7 @@ void paint_axes(const Eye& eye, ImVec2 centre) {
   Axis axes[] = {{Vec3::UnitX(), 0xE05A6A, "x"},
                  {Vec3::UnitY(), 0x67B552, "y"},
                  {Vec3::UnitZ(), 0x4A90E2, "z"}};
-  for (Axis& axis : axes) axis.direction = eye.turn * axis.direction;
+  for (Axis& axis : axes) axis.direction = projection.turn * axis.direction;
   std::sort(std::begin(axes), std::end(axes),
             [](const Axis& a, const Axis& b) { return a.direction.z() < b.direction.z(); });
   for (const Axis& axis : axes) {
@@ -172,19 +173,19 @@ void model_foot(const App& app, const Rect& band) {
 
 // What Result's tool in hand does with the pointer, and shows; gives whether it has the pointer,
 // which else turns the view.
-bool use_tool(App& app, const Eye& eye, const Pose& pose, const Vec3& shift) {
-  ModelStage model{eye, pose, shift, {}};
+bool use_tool(App& app, const ViewProjection& projection, const Pose& pose, const Vec3& shift) {
+  ModelStage model{projection, pose, shift, {}};
   for (const Transform& joint : posed_joints(app.shown()->model.skeleton, pose))
     model.joints.push_back(joint.translation() + shift);
   const bool result = app.session.built && app.view.mode == Mode::result;
   if (result) {
     const Pointer p = pointer_on_model();
-    const Stage stage{eye.place, {}, &model};
+    const Stage stage{projection.place, {}, &model};
     app.tool().pointer(app, p, stage);
     app.tool().paint(app, p, stage);
   }
   if (app.view.model_bones || (result && app.tool().shows_bones()))
-    paint_joints(app, eye, model.joints);
+    paint_joints(app, projection, model.joints);
   return result && app.tool().holds_pointer();
 }
 
@@ -223,7 +224,7 @@ void model_panel(App& app, const Layout& layout, float pixel_ratio) {
     if (!inset) model_head(app, layout);
     return;
   }
-  const Eye eye = orbit_eye(app.view.orbit, place);
+  const ViewProjection projection = orbit_projection(app.view.orbit, place);
   const Pose pose = app.shown_pose();
   const Vec3 shift = app.shown_footing();
   shown->picture->pose(pose, shift);
@@ -238,15 +239,15 @@ void model_panel(App& app, const Layout& layout, float pixel_ratio) {
   options.ground = true;
   options.rough = app.services.hurried;
   options.dark = t.dark;
-  show_model(*shown, eye, options, app.services.model_seen, 1, pixel_ratio, radius);
+  show_model(*shown, projection, options, app.services.model_seen, 1, pixel_ratio, radius);
 
-  const bool grabbed = use_tool(app, eye, pose, shift);
+  const bool grabbed = use_tool(app, projection, pose, shift);
   Rect turning = place;
   if (!layout.tablet)
     turning = {place.x, layout.view_head.bottom(), place.w,
                layout.view_foot.y - layout.view_head.bottom()};
   const bool tapped = navigate(app.view.orbit, app.fingers, turning, !grabbed);
-  paint_axes(eye,
+  paint_axes(projection,
              {place.right() - 38, layout.tablet ? place.bottom() - 40 : layout.view_foot.y - 16});
   if (inset) {
     draw().AddRect(place.min(), place.max(), t.line, kRadiusPanel);

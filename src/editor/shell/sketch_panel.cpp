@@ -159,12 +159,12 @@ void paint_model(App& app, const FrameCamera& camera, const OnScreen& on, const 
   const bool theirs =
       (posing || app.shows_parts()) && drawn.rotations.size() == pose.rotations.size();
   shown.picture->pose(theirs ? drawn : pose, Vec3::Zero());
-  const Eye eye = sketch_eye(camera, on.origin, on.zoom, place);
+  const ViewProjection projection = sketch_projection(camera, on.origin, on.zoom, place);
   PaintOptions options;
   options.dark = theme().dark;
   options.rough = app.services.hurried;
   if (app.shows_parts()) options.surface = Surface::weights;
-  show_model(shown, eye, options, app.services.over_sketch, app.view.layer().model_opacity,
+  show_model(shown, projection, options, app.services.over_sketch, app.view.layer().model_opacity,
              pixel_ratio);
 }
 

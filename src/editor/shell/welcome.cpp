@@ -171,12 +171,12 @@ void welcome(App& app, const Layout& layout, float pixel_ratio) {
     if (app.session.built) {
       Rect stage = all;
       if (layout.tablet) stage.cut_top(44);  // below its name
-      const Eye eye = orbit_eye(app.view.orbit, stage);
+      const ViewProjection projection = orbit_projection(app.view.orbit, stage);
       app.session.built->picture->pose(app.shown_pose(), app.shown_footing());
       PaintOptions options;
       options.ground = true;
       options.dark = t.dark;
-      show_model(*app.session.built, eye, options, app.services.model_seen, 1, pixel_ratio);
+      show_model(*app.session.built, projection, options, app.services.model_seen, 1, pixel_ratio);
       const Press press = press_area("Turn the model", stage);
       if (press.held) {
         app.view.orbit.yaw -= 0.01 * ImGui::GetIO().MouseDelta.x;

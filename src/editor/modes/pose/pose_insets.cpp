@@ -72,22 +72,22 @@ void turning_ball(App& app, const Rect& canvas) {
 }
 
 // From the viewer's right, without perspective: what is nearer to the viewer stands farther left.
-Eye side_eye(const Skeleton& skeleton, const Vec3& root, const Rect& place) {
+ViewProjection side_projection(const Skeleton& skeleton, const Vec3& root, const Rect& place) {
   const std::vector<Vec3> rest = rest_positions(skeleton);
   Box3 box;
   for (const Vec3& joint : rest) box.extend(joint);
   const double reach = std::max({1e-6, box.sizes().y() / 2, box.sizes().z() / 2});
   const Vec3 middle = root + Vec3(0, box.center().y() - rest[0].y(), 0);
-  Eye eye;
-  eye.place = place;
-  eye.turn << 0, 0, -1, 0, 1, 0, 1, 0, 0;
+  ViewProjection projection;
+  projection.place = place;
+  projection.turn << 0, 0, -1, 0, 1, 0, 1, 0, 0;
   const double scale = 0.72 / reach;
-  eye.clip.setIdentity();
-  const Vec3 shifted = eye.turn * middle;
-  eye.clip.topLeftCorner<3, 3>() = scale * eye.turn;
-  eye.clip.topRightCorner<3, 1>() = -scale * shifted;
-  eye.clip.row(2) *= -0.02;  // nearer is smaller, and nothing is cut off
-  return eye;
+  projection.clip.setIdentity();
+  const Vec3 shifted = projection.turn * middle;
+  projection.clip.topLeftCorner<3, 3>() = scale * projection.turn;
+  projection.clip.topRightCorner<3, 1>() = -scale * shifted;
+  projection.clip.row(2) *= -0.02;  // nearer is smaller, and nothing is cut off
+  return projection;
 }
 
 void side_view(App& app, const Rect& place, float pixel_ratio) {
@@ -102,18 +102,19 @@ void side_view(App& app, const Rect& place, float pixel_ratio) {
   write(head, Font::caption, rgb(0xA3A9B2), "drag: depth", Align::right);
   body = body.inset(4, 2);
   const Pose pose = app.drawn_pose();
-  const Eye eye = side_eye(skeleton, pose.root_position, body);
+  const ViewProjection projection = side_projection(skeleton, pose.root_position, body);
   if (const BuiltModel* shown = app.shown();
       shown && shown->model.skeleton.size() == skeleton.size()) {
     shown->picture->pose(pose, Vec3::Zero());
     PaintOptions options;
     options.surface = Surface::shaded;
     options.rough = app.services.hurried;
-    show_model(*shown, eye, options, app.services.model_beside, 0.34f, pixel_ratio, kRadiusPanel);
+    show_model(*shown, projection, options, app.services.model_beside, 0.34f, pixel_ratio,
+               kRadiusPanel);
   }
   std::vector<ImVec2> at;
   const std::vector<Transform> posed = posed_joints(skeleton, pose);
-  for (const Transform& joint : posed) at.push_back(eye.project(joint.translation()));
+  for (const Transform& joint : posed) at.push_back(projection.project(joint.translation()));
 
   press_area("From the side", body);
   const ImGuiIO& io = ImGui::GetIO();
@@ -130,7 +131,7 @@ void side_view(App& app, const Rect& place, float pixel_ratio) {
   if (joint >= 0 && joint < skeleton.size() && app.session.goes_on(gesture) && item_dragged() &&
       pointer_moved()) {
     app.session.proposal.reset();
-    const double per_unit = std::abs(eye.clip(0, 2)) * place.w / 2;
+    const double per_unit = std::abs(projection.clip(0, 2)) * place.w / 2;
     const double z = pose.root_position.z() - (io.MousePos.x - body.centre().x) / per_unit;
     const FrameCamera camera = frame_camera(app.document(), app.session.selection.frame);
     app.session.change("Depth of " + part_words(app, joint),

@@ -19,8 +19,9 @@ int part_near(const App& app, const ModelStage& stage, const Pointer& p) {
   int near = -1;
   float nearest = 48;  // points
   for (const int joint : drawn_joints(app.document())) {
-    const ImVec2 a = stage.eye.project(stage.joints[std::size_t(joint)]),
-                 b = stage.eye.project(stage.joints[std::size_t(end_of_bone(skeleton, joint))]);
+    const ImVec2 a = stage.projection.project(stage.joints[std::size_t(joint)]),
+                 b = stage.projection.project(
+                     stage.joints[std::size_t(end_of_bone(skeleton, joint))]);
     const Polyline bone{{Vec2(a.x, a.y), Vec2(b.x, b.y)}, false};
     if (const OnLine on = nearest_on(bone, as_it_is, p.screen); on.distance < nearest) {
       nearest = on.distance;
@@ -56,7 +57,7 @@ class FatnessTool : public Tool {
       const int end = end_of_bone(app.document().skeleton, joint);
       if (std::max(joint, end) >= int(model.joints.size())) continue;
       const Vec3 middle = (model.joints[std::size_t(joint)] + model.joints[std::size_t(end)]) / 2;
-      const ImVec2 at = model.eye.project(middle);
+      const ImVec2 at = model.projection.project(middle);
       record("Fatness of " + part_words(app, joint), {at.x - 5, at.y - 5, 10, 10}, true,
              joint == joint_);
       draw().AddCircleFilled(at, joint == shown ? 6.0f : 4, rgb(0xFFFFFF));

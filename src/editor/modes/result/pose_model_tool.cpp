@@ -14,7 +14,8 @@ int joint_near(const ModelStage& stage, const Pointer& p) {
   float reach = 12;  // points
   int near = -1;
   for (int j = 0; j < int(stage.joints.size()); ++j)
-    if (const float distance = apart(stage.eye.project(stage.joints[std::size_t(j)]), p.screen);
+    if (const float distance =
+            apart(stage.projection.project(stage.joints[std::size_t(j)]), p.screen);
         distance < reach) {
       reach = distance;
       near = j;
@@ -30,7 +31,7 @@ class PoseModelTool : public Tool {
     if (!p.held) joint_ = -1;
     if (joint_ < 0 || joint_ >= int(model.joints.size()) || !p.dragging) return;
     const Vec3 target =
-        under_pointer(model.eye, p.screen, model.joints[std::size_t(joint_)]) - model.shift;
+        under_pointer(model.projection, p.screen, model.joints[std::size_t(joint_)]) - model.shift;
     app.session.playback.playing = false;
     if (joint_ < app.document().skeleton.size()) app.session.selection.joint = joint_;
     const Skeleton& skeleton = app.session.built->model.skeleton;
@@ -41,7 +42,7 @@ class PoseModelTool : public Tool {
   void paint(const App& app, const Pointer&, const Stage& stage) const override {
     const int count = std::min(int(stage.model->joints.size()), app.document().skeleton.size());
     for (int j = 0; j < count; ++j) {
-      const ImVec2 p = stage.model->eye.project(stage.model->joints[std::size_t(j)]);
+      const ImVec2 p = stage.model->projection.project(stage.model->joints[std::size_t(j)]);
       record("Pose " + part_words(app, j), {p.x - 6, p.y - 6, 12, 12}, true,
              j == app.session.selection.joint);
     }

@@ -45,17 +45,17 @@ std::vector<Sphere> spheres_of(const App& app, const ModelStage& stage) {
 }
 
 // In points.
-float radius_on_screen(const Eye& eye, const Sphere& sphere) {
-  const Vec3 right = eye.turn.row(0).transpose();
+float radius_on_screen(const ViewProjection& projection, const Sphere& sphere) {
+  const Vec3 right = projection.turn.row(0).transpose();
   return float(sphere.radius) *
-         apart(eye.project(sphere.centre), eye.project(sphere.centre + right));
+         apart(projection.project(sphere.centre), projection.project(sphere.centre + right));
 }
 
 class SpheresTool : public Tool {
  public:
   void pointer(App& app, const Pointer& p, const Stage& stage) override {
     const std::vector<Sphere> spheres = spheres_of(app, *stage.model);
-    if (p.pressed) take_hold(app, p, stage.model->eye, spheres);
+    if (p.pressed) take_hold(app, p, stage.model->projection, spheres);
     if (!p.held) joint_ = -1;
     if (!p.dragging || !p.moved || !app.session.goes_on(gesture_)) return;
     for (const Sphere& sphere : spheres)
@@ -63,11 +63,11 @@ class SpheresTool : public Tool {
   }
 
   void paint(const App& app, const Pointer&, const Stage& stage) const override {
-    const Eye& eye = stage.model->eye;
+    const ViewProjection& projection = stage.model->projection;
     for (const Sphere& sphere : spheres_of(app, *stage.model)) {
       const bool chosen = sphere.joint == app.session.selection.joint;
-      const ImVec2 at = eye.project(sphere.centre);
-      const float radius = radius_on_screen(eye, sphere);
+      const ImVec2 at = projection.project(sphere.centre);
+      const float radius = radius_on_screen(projection, sphere);
       const std::string name = part_words(app, sphere.joint);
       record("Sphere " + name, {at.x - 4, at.y - 4, 8, 8}, true, chosen);
       record("Sphere rim " + name, {at.x + radius - 4, at.y - 4, 8, 8}, true, chosen);
@@ -86,12 +86,13 @@ class SpheresTool : public Tool {
   bool shows_spheres() const override { return true; }
 
  private:
-  void take_hold(App& app, const Pointer& p, const Eye& eye, const std::vector<Sphere>& spheres) {
+  void take_hold(App& app, const Pointer& p, const ViewProjection& projection,
+                 const std::vector<Sphere>& spheres) {
     joint_ = -1;
     float nearest = 8;  // points
     for (const Sphere& sphere : spheres) {
-      const float middle = apart(eye.project(sphere.centre), p.screen);
-      const float rim = std::abs(middle - radius_on_screen(eye, sphere));
+      const float middle = apart(projection.project(sphere.centre), p.screen);
+      const float rim = std::abs(middle - radius_on_screen(projection, sphere));
       if (std::min(rim, middle) >= nearest) continue;
       nearest = std::min(rim, middle);
       joint_ = app.session.selection.joint = sphere.joint;
@@ -101,7 +102,7 @@ class SpheresTool : public Tool {
   }
 
   void drag(App& app, const Pointer& p, const ModelStage& stage, const Sphere& sphere) const {
-    const Vec3 target = under_pointer(stage.eye, p.screen, sphere.centre);
+    const Vec3 target = under_pointer(stage.projection, p.screen, sphere.centre);
     double radius = sphere.radius;
     Vec3 by = Vec3::Zero();
     if (rim_)

@@ -7,7 +7,7 @@
 namespace artisketch {
 
 // From the world to the picture of one rectangle of the window.
-struct Eye {
+struct ViewProjection {
   Eigen::Matrix4d clip;  // world → clip space of the rectangle
   Mat3 turn;             // world → view directions: x right, y up, z toward the viewer
   Rect place;            // points
@@ -31,9 +31,10 @@ struct Orbit {
         .toRotationMatrix();
   }
 };
-Eye orbit_eye(const Orbit& orbit, const Rect& place);
+ViewProjection orbit_projection(const Orbit& orbit, const Rect& place);
 
 // As a frame's camera, with the sketch's pixel (x, y) at origin + zoom·(x, y) in the window.
-Eye sketch_eye(const FrameCamera& camera, ImVec2 origin, float zoom, const Rect& place);
+ViewProjection sketch_projection(const FrameCamera& camera, ImVec2 origin, float zoom,
+                                 const Rect& place);
 
 }  // namespace artisketch
