@@ -12,17 +12,20 @@ namespace artisketch {
 namespace {
 
 // Moves what is looked at with the pointer; points.
-void pan(Orbit& orbit, ImVec2 by, const Rect& place) {
-  const double unit = orbit.distance / 2.4 * 2 / std::max(1.0f, place.h);
+void pan(Orbit& orbit, ImVec2 by, const ViewProjection& projection) {
   const Mat3 turn = orbit.turn();
+  const ImVec2 target = projection.project(orbit.target),
+               beside = projection.project(orbit.target + turn.row(0).transpose());
+  const double unit = 1 / std::max(1e-6, double(apart(target, beside)));  // that a point takes
   orbit.target -= unit * (by.x * turn.row(0) - by.y * turn.row(1)).transpose();
 }
 
 // Whether it was tapped.
-bool navigate(Orbit& orbit, const Fingers& fingers, const Rect& place, bool free_to_turn) {
+bool navigate(Orbit& orbit, const Fingers& fingers, const ViewProjection& projection,
+              const Rect& place, bool free_to_turn) {
   const ImGuiIO& io = ImGui::GetIO();
   if (fingers.count > 0 && place.holds(fingers.at)) {
-    pan(orbit, fingers.moved, place);
+    pan(orbit, fingers.moved, projection);
     orbit.distance /= fingers.spread;
     return false;
   }
@@ -33,7 +36,7 @@ bool navigate(Orbit& orbit, const Fingers& fingers, const Rect& place, bool free
   const bool panning = hovered && (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) ||
                                    (press.held && io.KeyShift));
   if (panning) {
-    pan(orbit, io.MouseDelta, place);
+    pan(orbit, io.MouseDelta, projection);
   } else if (press.held && free_to_turn) {
     orbit.yaw -= 0.01 * io.MouseDelta.x;
     orbit.pitch = std::clamp(orbit.pitch + 0.01 * io.MouseDelta.y, -1.5, 1.5);
@@ -246,7 +249,7 @@ void model_panel(App& app, const Layout& layout, float pixel_ratio) {
   if (!layout.tablet)
     turning = {place.x, layout.view_head.bottom(), place.w,
                layout.view_foot.y - layout.view_head.bottom()};
-  const bool tapped = navigate(app.view.orbit, app.fingers, turning, !grabbed);
+  const bool tapped = navigate(app.view.orbit, app.fingers, projection, turning, !grabbed);
   paint_axes(projection,
              {place.right() - 38, layout.tablet ? place.bottom() - 40 : layout.view_foot.y - 16});
   if (inset) {
