@@ -306,7 +306,7 @@ int reconstruct_verb(Arguments& a) {
   if (texture || !a.preview.empty()) drawings = load_drawings(*document, a.in, missing);
   print_warnings(missing);
   print_warnings(drawing_words(*document, a.in));
-  if (texture) options.drawings = pictures(drawings);
+  if (texture) options.drawings = drawings;
   CommandRun command(a);
   Result<Reconstruction> result = reconstruct(*document, options, command.run);
   command.finish();

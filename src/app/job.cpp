@@ -17,13 +17,6 @@ namespace {
 constexpr const char* kFaultsCallIt = "document";
 constexpr double kThinningError = 0.1;  // of a cell: far less than the grid's own
 
-// Fields of the finest parts take tens of megabytes; meshes and curves are what is looked at.
-void drop_fields(Trace& trace) {
-  std::erase_if(trace.entries, [](const Trace::Entry& entry) {
-    return std::holds_alternative<Grid3<float>>(entry.what);
-  });
-}
-
 // The document without drawings that stand in files: a job sees none.
 Document drawings_inside(Document document) {
   for (Frame& frame : document.frames)
@@ -35,8 +28,10 @@ Result<JobResult> run_reconstruction(const Document& document, const JobRequest&
                                      Run& run) {
   PipelineOptions options = request.options;
   std::vector<std::string> missing;
+  std::vector<Image> drawings;
   if (document.settings.texture.value_or(true))
-    options.drawings = pictures(load_drawings(drawings_inside(document), "", missing));
+    drawings = load_drawings(drawings_inside(document), "", missing);
+  options.drawings = drawings;
   Result<Reconstruction> made = reconstruct(document, options, run);
   if (!made) return made.error();
   Result<std::string> glb = glb_bytes(made->model);
@@ -117,16 +112,8 @@ Result<JobResult> run_unguarded(const JobRequest& request, Run& run) {
   if (request.kind == JobRequest::Kind::spheres) return run_spheres(*document, request, run);
   if (const Result<Done> sound = check_document(*document, kFaultsCallIt); !sound)
     return sound.error();
-  Trace trace;
-  if (request.trace) run.trace = &trace;
-  Result<JobResult> result = request.kind == JobRequest::Kind::calibrate
-                                 ? run_calibration(*document, request, run)
-                                 : run_reconstruction(*document, request, run);
-  run.trace = nullptr;
-  if (!result) return result;
-  drop_fields(trace);
-  result->trace = std::move(trace);
-  return result;
+  return request.kind == JobRequest::Kind::calibrate ? run_calibration(*document, request, run)
+                                                     : run_reconstruction(*document, request, run);
 }
 
 }  // namespace

@@ -21,9 +21,8 @@ struct JobRequest {
   Kind kind = Kind::reconstruct;
   std::string document;     // as document_text writes it; drawings, where wanted, as data: URIs
   std::vector<Part> parts;  // in place of a document, where parts alone are wanted
-  PipelineOptions
-      options;         // of a calibration only the method counts; drawings come from `document`
-  bool trace = false;  // keep intermediate meshes and curves
+  // Of a calibration only the method counts; drawings come from `document`.
+  PipelineOptions options;
 };
 
 // A part for a picture: not one triangle more than its outlines need.
@@ -44,7 +43,6 @@ struct JobResult {
   std::vector<std::string> undetermined;  // angles that the silhouettes leave open, in words
   std::vector<std::string> warnings;
   std::vector<PartMesh> parts;  // of a job for parts alone, as the request has them
-  Trace trace;                  // meshes and curves alone: fields are too large to hand over
 };
 
 // Does the job on this thread. Fails as the stages do, and on a document that cannot be read; lack

@@ -1,6 +1,8 @@
-// Each struct's fields are named once, in a fields() that both the writer and the reader walk.
+// Each struct's fields are named once, in a field() that both the writer and the reader walk: the
+// writer over what is const, so that nothing is copied but into its bytes.
 #include "app/job_bytes.h"
 
+#include <concepts>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -10,6 +12,7 @@ namespace {
 
 class Writer {
  public:
+  static constexpr bool kReads = false;
   std::string bytes;
   void raw(const void* from, std::size_t size) {
     bytes.append(static_cast<const char*>(from), size);
@@ -23,6 +26,7 @@ class Writer {
 
 class Reader {
  public:
+  static constexpr bool kReads = true;
   explicit Reader(std::string_view bytes) : left_(bytes) {}
   bool good() const { return good_; }
   bool done() const { return good_ && left_.empty(); }
@@ -45,150 +49,136 @@ class Reader {
   bool good_ = true;
 };
 
+// T is U, or a const U.
+template <class T, class U>
+concept Is = std::same_as<std::remove_const_t<T>, U>;
 template <class T>
-constexpr bool kPlain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
-template <class Archive, class T>
-std::enable_if_t<kPlain<T>> field(Archive& a, T& value) {
+template <class Archive, Plain T>
+void field(Archive& a, T& value) {
   a.raw(&value, sizeof value);
 }
 
-template <class Archive>
-void field(Archive& a, std::string& text) {
-  text.resize(a.count(text.size(), 1));
-  a.raw(text.data(), text.size());
-}
-
-template <class Archive>
-void field(Archive& a, Vec3& v) {
-  a.raw(v.data(), 3 * sizeof(double));
-}
-
-template <class Archive, class Scalar>
-void field(Archive& a, Eigen::Matrix<Scalar, Eigen::Dynamic, 3, Eigen::RowMajor>& rows) {
-  const std::size_t count = a.count(std::size_t(rows.rows()), 3 * sizeof(Scalar));
-  rows.resize(Eigen::Index(count), 3);
-  a.raw(rows.data(), count * 3 * sizeof(Scalar));
-}
-
-template <class Archive>
-void field(Archive& a, Vec2& v) {
-  a.raw(v.data(), 2 * sizeof(double));
+template <class Archive, Is<std::string> T>
+void field(Archive& a, T& text) {
+  const std::size_t count = a.count(text.size(), 1);
+  if constexpr (Archive::kReads) text.resize(count);
+  a.raw(text.data(), count);
 }
 
 template <class Archive, class T>
-void field(Archive& a, std::vector<T>& all);
+requires Is<T, Vec2> || Is<T, Vec3>
+void field(Archive& a, T& v) {
+  a.raw(v.data(), v.size() * sizeof(double));
+}
 
-template <class Archive>
-void field(Archive& a, Bone& bone) {
+template <class Archive, class T>
+requires Is<T, Points3> || Is<T, Triangles>
+void field(Archive& a, T& rows) {
+  const std::size_t row = 3 * sizeof(*rows.data()), count = a.count(std::size_t(rows.rows()), row);
+  if constexpr (Archive::kReads) rows.resize(Eigen::Index(count), 3);
+  a.raw(rows.data(), count * row);
+}
+
+template <class Archive, class T>
+requires Is<T, std::vector<typename T::value_type, typename T::allocator_type>>
+void field(Archive& a, T& all) {
+  const std::size_t count = a.count(all.size(), 1);
+  if constexpr (Archive::kReads) all.resize(count);
+  for (auto& one : all) field(a, one);
+}
+
+template <class Archive, Is<Bone> T>
+void field(Archive& a, T& bone) {
   field(a, bone.joint), field(a, bone.child), field(a, bone.a), field(a, bone.b);
 }
 
-template <class Archive>
-void field(Archive& a, Polyline& line) {
+template <class Archive, Is<Polyline> T>
+void field(Archive& a, T& line) {
   field(a, line.points), field(a, line.closed);
 }
 
-template <class Archive>
-void field(Archive& a, PartView& view) {
+template <class Archive, Is<PartView> T>
+void field(Archive& a, T& view) {
   field(a, view.frame), field(a, view.mirrored);
-  Camera& camera = view.camera.camera;
+  auto& camera = view.camera.camera;
   field(a, camera.type), field(a, camera.pixels_per_unit), field(a, camera.focal_length);
   field(a, camera.distance), field(a, view.camera.principal_point), field(a, view.camera.scale);
   a.raw(view.to_world.data(), 16 * sizeof(double));
   field(a, view.contours);
-  if constexpr (std::is_same_v<Archive, Reader>) view.outline = outline_of(view.contours);
+  if constexpr (Archive::kReads) view.outline = outline_of(view.contours);
 }
 
-template <class Archive>
-void field(Archive& a, Part& part) {
+template <class Archive, Is<Part> T>
+void field(Archive& a, T& part) {
   field(a, part.joint), field(a, part.name), field(a, part.views), field(a, part.mirrors);
   field(a, part.bones), field(a, part.origin), field(a, part.fatness);
 }
 
-template <class Archive>
-void fields(Archive& a, PipelineOptions& o) {
+template <class Archive, Is<PipelineOptions> T>
+void field(Archive& a, T& o) {
   field(a, o.method), field(a, o.grid), field(a, o.calibrate), field(a, o.visual_hull);
   field(a, o.triangles), field(a, o.mirror);
 }
 
-template <class Archive>
-void fields(Archive& a, JobRequest& r) {
-  field(a, r.kind), field(a, r.document), field(a, r.parts), fields(a, r.options),
-      field(a, r.trace);
+template <class Archive, Is<JobRequest> T>
+void field(Archive& a, T& r) {
+  field(a, r.kind), field(a, r.document), field(a, r.parts), field(a, r.options);
 }
 
-template <class Archive>
-void fields(Archive& a, Progress& p) {
+template <class Archive, Is<Progress> T>
+void field(Archive& a, T& p) {
   field(a, p.stage), field(a, p.item), field(a, p.part), field(a, p.parts), field(a, p.fraction);
 }
 
-template <class Archive>
-void field(Archive& a, FrameFit::PartFit& fit) {
+template <class Archive, Is<FrameFit::PartFit> T>
+void field(Archive& a, T& fit) {
   field(a, fit.joint), field(a, fit.distance);
 }
 
-template <class Archive>
-void field(Archive& a, FrameFit& fit) {
+template <class Archive, Is<FrameFit> T>
+void field(Archive& a, T& fit) {
   field(a, fit.iou), field(a, fit.parts);
 }
 
-template <class Archive>
-void field(Archive& a, PartCoverage& part) {
+template <class Archive, Is<PartCoverage> T>
+void field(Archive& a, T& part) {
   field(a, part.joint), field(a, part.frame), field(a, part.before), field(a, part.after);
 }
 
-template <class Archive>
-void field(Archive& a, JointSphere& sphere) {
+template <class Archive, Is<JointSphere> T>
+void field(Archive& a, T& sphere) {
   field(a, sphere.joint), field(a, sphere.centre), field(a, sphere.radius);
 }
 
-template <class Archive>
-void field(Archive& a, Mesh& mesh) {
+template <class Archive, Is<Mesh> T>
+void field(Archive& a, T& mesh) {
   field(a, mesh.V), field(a, mesh.F);
 }
 
-template <class Archive>
-void field(Archive& a, PartMesh& part) {
+template <class Archive, Is<PartMesh> T>
+void field(Archive& a, T& part) {
   field(a, part.joint), field(a, part.mesh), field(a, part.frames), field(a, part.distances);
 }
 
-template <class Archive>
-void field(Archive& a, Trace::Entry& entry) {
-  field(a, entry.name);
-  bool mesh = std::holds_alternative<Mesh>(entry.what);
-  field(a, mesh);
-  if (mesh) {
-    if (!std::holds_alternative<Mesh>(entry.what)) entry.what = Mesh();
-    field(a, std::get<Mesh>(entry.what));
-  } else {
-    if (!std::holds_alternative<Curves>(entry.what)) entry.what = Curves();
-    field(a, std::get<Curves>(entry.what));
-  }
-}
-
-template <class Archive, class T>
-void field(Archive& a, std::vector<T>& all) {
-  all.resize(a.count(all.size(), 1));
-  for (T& one : all) field(a, one);
-}
-
-template <class Archive>
-void fields(Archive& a, JobResult& r) {
+template <class Archive, Is<JobResult> T>
+void field(Archive& a, T& r) {
   field(a, r.document), field(a, r.glb), field(a, r.report), field(a, r.fits);
   field(a, r.coverage), field(a, r.spheres), field(a, r.undetermined), field(a, r.warnings);
-  field(a, r.parts), field(a, r.trace.entries);
+  field(a, r.parts);
 }
 
-template <class Archive>
-void fields(Archive& a, Error& error) {
+template <class Archive, Is<Error> T>
+void field(Archive& a, T& error) {
   field(a, error.kind), field(a, error.faults);
 }
 
 template <class T>
-std::string written(T value) {
+std::string written(const T& value, std::string begun = {}) {
   Writer writer;
-  fields(writer, value);
+  writer.bytes = std::move(begun);
+  field(writer, value);
   return std::move(writer.bytes);
 }
 
@@ -200,7 +190,7 @@ template <class T>
 Result<T> read(std::string_view bytes) {
   Reader reader(bytes);
   T value;
-  fields(reader, value);
+  field(reader, value);
   if (!reader.done()) return damaged();
   return value;
 }
@@ -216,13 +206,7 @@ std::string job_bytes(const Progress& progress) {
 }
 
 std::string job_bytes(const Result<JobResult>& outcome) {
-  const char kind = outcome.ok() ? 'r' : 'e';
-  if (!outcome) return kind + written(outcome.error());
-  JobResult result = *outcome;
-  std::erase_if(result.trace.entries, [](const Trace::Entry& entry) {
-    return std::holds_alternative<Grid3<float>>(entry.what);
-  });
-  return kind + written(std::move(result));
+  return outcome ? written(*outcome, "r") : written(outcome.error(), "e");
 }
 
 Result<JobRequest> read_job_request(std::string_view bytes) {
@@ -238,7 +222,7 @@ Result<JobResult> read_job_outcome(std::string_view bytes) {
   if (bytes[0] == 'r') return read<JobResult>(bytes.substr(1));
   Reader reader(bytes.substr(1));
   Error error;
-  fields(reader, error);
+  field(reader, error);
   return reader.done() ? error : damaged();
 }
 

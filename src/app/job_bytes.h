@@ -9,7 +9,6 @@
 
 namespace artisketch {
 
-// A trace's fields (Grid3) are left out.
 std::string job_bytes(const JobRequest& request);
 std::string job_bytes(const Progress& progress);
 std::string job_bytes(const Result<JobResult>& outcome);

@@ -27,7 +27,7 @@ std::vector<Run> runs(const std::vector<bool>& taken, int gap) {
 
 }  // namespace
 
-std::vector<Sprite> sprites_by_gaps(const TraceImage& sheet) {
+std::vector<Sprite> sprites_by_gaps(const SegmentedImage& sheet) {
   const int w = sheet.width, h = sheet.height;
   const int gap = std::max(2, int(std::lround(0.01 * std::min(w, h))));
   struct Found {
@@ -98,19 +98,18 @@ std::vector<Sprite> sprites_by_grid(int width, int height, int columns, int rows
   return sprites;
 }
 
-std::vector<std::uint8_t> cut_out(const Pixels& sheet, const Sprite& sprite) {
+Image cut_out(const Image& sheet, const Sprite& sprite) {
   const PixelBox &own = sprite.own, &place = sprite.drawing;
   ensure(own.x >= 0 && own.y >= 0 && own.right() <= sheet.width && own.bottom() <= sheet.height,
          "a sprite within its sheet");
-  std::vector<std::uint8_t> rgba(4 * std::size_t(place.width) * place.height);
+  Image cut(place.width, place.height);
   for (int y = 0; y < place.height; ++y)
     for (int x = 0; x < place.width; ++x) {
       const int sx = place.x + x, sy = place.y + y;
       const bool inside = sx >= own.x && sy >= own.y && sx < own.right() && sy < own.bottom();
-      const std::uint8_t* from = &sheet.rgba[inside ? 4 * (std::size_t(sy) * sheet.width + sx) : 0];
-      std::copy_n(from, 4, &rgba[4 * (std::size_t(y) * place.width + x)]);
+      std::copy_n(inside ? sheet.at(sx, sy) : sheet.at(0, 0), 4, cut.at(x, y));
     }
-  return rgba;
+  return cut;
 }
 
 }  // namespace artisketch

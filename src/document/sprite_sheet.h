@@ -1,10 +1,9 @@
 // Several figures on one sheet, taken apart.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "document/trace.h"
+#include "document/region_outline.h"
 
 namespace artisketch {
 
@@ -26,14 +25,13 @@ struct Sprite {
 // left; specks are left out. All drawings are of one size, with a little room about the largest
 // figure; each stands in the middle of its drawing and as high as it does in its row. None where
 // there are no several figures of about one size.
-std::vector<Sprite> sprites_by_gaps(const TraceImage& sheet);
+std::vector<Sprite> sprites_by_gaps(const SegmentedImage& sheet);
 
 // Equal cells; what doesn't fill one at the right and the bottom is left out. None where a cell
 // would have no pixel.
 std::vector<Sprite> sprites_by_grid(int width, int height, int columns, int rows);
 
-// A sprite's drawing: RGBA, 4 · width · height bytes; around what is its own the sheet's corner's
-// colour.
-std::vector<std::uint8_t> cut_out(const Pixels& sheet, const Sprite& sprite);
+// A sprite's drawing; around what is its own it has the colour of the sheet's corner.
+Image cut_out(const Image& sheet, const Sprite& sprite);
 
 }  // namespace artisketch

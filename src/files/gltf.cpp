@@ -174,9 +174,7 @@ void add_material(const Model& model, Builder& out) {
   if (!model.texture) {
     pbr.baseColorFactor.assign(kPlainColour.begin(), kPlainColour.end());
   } else {
-    Image picture(model.texture->width, model.texture->height);
-    picture.rgba = model.texture->rgba;
-    const std::string png = png_bytes(picture);
+    const std::string png = png_bytes(*model.texture);
     tinygltf::Image image;
     image.mimeType = "image/png";
     image.bufferView = out.add_view(png.data(), png.size(), 0);

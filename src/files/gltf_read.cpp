@@ -225,9 +225,9 @@ void Reader::texture(int index, const std::string& name) {
   if (base < 0) return;
   const int source = at(gltf_.textures, base, "texture").source;
   const tinygltf::Image& image = at(gltf_.images, source, "image");
-  const Result<Image> picture = decode_image(view_bytes(image.bufferView), name + ": its texture");
+  Result<Image> picture = decode_image(view_bytes(image.bufferView), name + ": its texture");
   if (!picture) throw Refused{"has a damaged texture: " + picture.error().text()};
-  model_.texture = Texture{picture->width, picture->height, picture->rgba};
+  model_.texture = std::move(*picture);
 }
 
 void Reader::clip(const tinygltf::Animation& animation) {

@@ -494,15 +494,4 @@ std::vector<Image> load_drawings(const Document& document, const std::string& do
   return drawings;
 }
 
-std::vector<Picture> pictures(const std::vector<Image>& drawings) {
-  std::vector<Picture> all;
-  bool any = false;
-  for (const Image& drawing : drawings) {
-    all.push_back({drawing.width, drawing.height, drawing.rgba});
-    any = any || drawing.width > 0;
-  }
-  if (!any) all.clear();
-  return all;
-}
-
 }  // namespace artisketch

@@ -1,26 +1,15 @@
 // Images: PNG, JPEG and GIF in, PNG out.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/image.h"
 #include "base/result.h"
 #include "document/document.h"
-#include "model/stages.h"
 
 namespace artisketch {
-
-struct Image {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;  // rows from the top, straight alpha
-  Image() = default;
-  Image(int width, int height)
-      : width(width), height(height), rgba(std::size_t(width) * height * 4, 255) {}
-  std::uint8_t* at(int x, int y) { return &rgba[4 * (std::size_t(y) * width + x)]; }
-  const std::uint8_t* at(int x, int y) const { return &rgba[4 * (std::size_t(y) * width + x)]; }
-};
 
 // The image as it is to be seen: turned as its Exif orientation says, 8 bits a channel. Fails on
 // what is no PNG or JPEG, is damaged (or inflates to more than its size can need), or has more than
@@ -53,8 +42,5 @@ std::vector<std::string> drawing_words(const Document& document, const std::stri
 // or all before it have 250 million pixels. An image that several frames name is decoded once.
 std::vector<Image> load_drawings(const Document& document, const std::string& document_path,
                                  std::vector<std::string>& warnings);
-
-// As the texturing stage takes them; none where no frame has a drawing.
-std::vector<Picture> pictures(const std::vector<Image>& drawings);
 
 }  // namespace artisketch

@@ -26,10 +26,10 @@ void append_vector(std::string& out, const Vec3& v) {
 
 // The texture's colour at a vertex of the model.
 std::array<std::uint8_t, 3> colour_at(const Model& model, int vertex) {
-  const Texture& t = *model.texture;
+  const Image& t = *model.texture;
   const Vec2 p = model.texcoords[vertex].cwiseProduct(Vec2(t.width, t.height));
   const int x = std::clamp(int(p.x()), 0, t.width - 1), y = std::clamp(int(p.y()), 0, t.height - 1);
-  const unsigned char* c = &t.rgba[4 * (std::size_t(y) * t.width + x)];
+  const std::uint8_t* c = t.at(x, y);
   return {c[0], c[1], c[2]};
 }
 

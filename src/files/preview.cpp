@@ -62,12 +62,6 @@ Image background(int width, int height) {
   return image;
 }
 
-Image clear_image(int width, int height) {
-  Image image(width, height);
-  std::fill(image.rgba.begin(), image.rgba.end(), std::uint8_t(0));
-  return image;
-}
-
 FrameCamera fitting_camera(const Figure& figure, double pitch, int width, int height) {
   const double across = 2 * figure.radius;
   const double up = figure.height * std::abs(std::cos(pitch)) + across * std::abs(std::sin(pitch));
@@ -98,7 +92,7 @@ void draw_ground_shadow(Image& image, const Figure& figure, double yaw, double p
 }
 
 Image picture(const Model& model, const Figure& figure, const RenderOptions& options, double yaw) {
-  Image image = options.clear ? clear_image(options.width, options.height)
+  Image image = options.clear ? Image(options.width, options.height, 0)
                               : background(options.width, options.height);
   if (figure.shape.mesh.F.rows() == 0) return image;
   const FrameCamera camera = fitting_camera(figure, options.pitch, options.width, options.height);

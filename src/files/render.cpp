@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/raster.h"
+#include "base/srgb.h"
 #include "files/marks.h"
 #include "files/occlusion.h"
 
@@ -13,12 +14,6 @@ namespace {
 
 using Light = Eigen::Vector3f;  // linear red, green, blue
 
-float to_linear(float s) {
-  return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
-}
-float to_srgb(float l) {
-  return l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1 / 2.4f) - 0.055f;
-}
 Light linear(unsigned rrggbb) {
   return {to_linear((rrggbb >> 16 & 255) / 255.0f), to_linear((rrggbb >> 8 & 255) / 255.0f),
           to_linear((rrggbb & 255) / 255.0f)};
@@ -62,7 +57,7 @@ Light shade(const Material& material, const Eigen::Vector3f& n, const Eigen::Vec
          rim * Light(0.30f, 0.31f, 0.33f);
 }
 
-Light texel(const Texture& texture, const Vec2& uv) {
+Light texel(const Image& texture, const Vec2& uv) {
   const double x = std::clamp(uv.x(), 0.0, 1.0) * texture.width - 0.5;
   const double y = std::clamp(uv.y(), 0.0, 1.0) * texture.height - 0.5;
   const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
@@ -70,7 +65,7 @@ Light texel(const Texture& texture, const Vec2& uv) {
   const auto at = [&](int i, int j) {
     i = std::clamp(i, 0, texture.width - 1);
     j = std::clamp(j, 0, texture.height - 1);
-    const unsigned char* p = &texture.rgba[4 * (std::size_t(j) * texture.width + i)];
+    const std::uint8_t* p = texture.at(i, j);
     return Light(p[0], p[1], p[2]);
   };
   const Light s = ((1 - wy) * ((1 - wx) * at(x0, y0) + wx * at(x0 + 1, y0)) +
@@ -260,8 +255,7 @@ Image render_shape(const Shape& shape, const Transform& view, const FrameCamera&
   constexpr double kLineWidth = 1.5;  // pixels
   constexpr double kLamp = 0.16;      // the key light's radius, one unit away
   constexpr double kMargin = 2;       // pixels round what the shape covers
-  Image image(width, height);
-  std::fill(image.rgba.begin(), image.rgba.end(), std::uint8_t(0));
+  Image image(width, height, 0);
   Shot shot;
   shot.camera = in_samples(camera, shot.per_pixel);
   project(shape, view, shot);

@@ -18,7 +18,7 @@ struct Shape {
   Points3 tint;                 // #V×3 linear colours
   Eigen::VectorXd ambient;      // #V, ambient occlusion: 1 where nothing hides the vertex, 0 … 1
   std::vector<Vec2> texcoords;  // one per vertex, or empty
-  const Texture* texture = nullptr;  // in place of the tint, where there are texcoords
+  const Image* texture = nullptr;  // in place of the tint, where there are texcoords
 };
 
 // The model in a pose, or in the rest pose where `pose` is null. by_joint: tinted by its joints'

@@ -124,7 +124,8 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   out.model = {
       document.name,           document.skeleton, std::move(*mesh), std::move(*weights), {}, {},
       clips_of(out.calibrated)};
-  if (!options.drawings.empty()) {
+  if (std::any_of(options.drawings.begin(), options.drawings.end(),
+                  [](const Image& drawing) { return !drawing.empty(); })) {
     stages.start("texture", 0.95, 0.97);
     std::vector<Picture> drawings;
     for (const Picture& drawing : options.drawings) drawings.push_back(enlarged(drawing, scale));

@@ -14,6 +14,7 @@
 
 #include "base/distance_field.h"
 #include "base/grid.h"
+#include "base/image.h"
 #include "base/mesh.h"
 #include "base/result.h"
 #include "document/document.h"
@@ -209,12 +210,6 @@ Points3 posed_vertices(const Points3& V, const Weights& weights, const Skeleton&
 
 // ---------------------------------------------------------------- the model
 
-struct Picture {
-  int width = 0, height = 0;
-  std::vector<unsigned char> rgba;  // rows from the top, sRGB, straight alpha
-};
-using Texture = Picture;
-
 // A clip of poses over time; times strictly increase.
 struct Clip {
   std::string name;
@@ -231,7 +226,7 @@ struct Model {
   Mesh mesh;  // rest space
   Weights weights;
   std::vector<Vec2> texcoords;  // one per vertex, or empty
-  std::optional<Texture> texture;
+  std::optional<Image> texture;
   std::vector<Clip> clips;  // `frames` first
 };
 
@@ -241,7 +236,7 @@ struct Model {
 // no drawing shows it.
 //   drawings  decoded, one per frame, of its size; empty ones are left out
 // Fails only if cancelled.
-Result<Model> textured(const Document& calibrated, std::span<const Picture> drawings,
+Result<Model> textured(const Document& calibrated, std::span<const Image> drawings,
                        const Model& model, Run& run);
 
 // ---------------------------------------------------------------- the whole
@@ -250,10 +245,12 @@ struct PipelineOptions {
   Method method = kDefaultMethod;
   int grid = 100;
   bool calibrate = true;
-  bool visual_hull = false;       // plain hulls of the parts, united without blending
-  int triangles = 15000;          // of the model; 0: as few as half a pixel allows
-  bool mirror = true;             // joints see their mirror images' contours, where these agree
-  std::vector<Picture> drawings;  // one per frame, to colour the model with; none: plain
+  bool visual_hull = false;  // plain hulls of the parts, united without blending
+  int triangles = 15000;     // of the model; 0: as few as half a pixel allows
+  bool mirror = true;        // joints see their mirror images' contours, where these agree
+  // Decoded, to colour the model with: one per frame, empty where it has none; without any the
+  // model stays plain. Not copied: they must outlive the run.
+  std::span<const Image> drawings;
 };
 
 struct StageTime {

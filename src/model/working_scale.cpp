@@ -44,13 +44,11 @@ Part enlarged(Part part, int times) {
   return part;
 }
 
-Picture enlarged(const Picture& picture, int times) {
-  Picture out{picture.width * times, picture.height * times, {}};
-  out.rgba.resize(4 * std::size_t(out.width) * out.height);
+Image enlarged(const Image& picture, int times) {
+  Image out(picture.width * times, picture.height * times);
   for (int y = 0; y < out.height; ++y)
     for (int x = 0; x < out.width; ++x)
-      std::copy_n(&picture.rgba[4 * (std::size_t(y / times) * picture.width + x / times)], 4,
-                  &out.rgba[4 * (std::size_t(y) * out.width + x)]);
+      std::copy_n(picture.at(x / times, y / times), 4, out.at(x, y));
   return out;
 }
 

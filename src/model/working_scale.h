@@ -16,6 +16,6 @@ inline constexpr int kMostEnlarged = 16;
 // units, more pixels. Pictures by repeating pixels: their edges stay as sharp as they are.
 Document enlarged(Document document, int times);
 Part enlarged(Part part, int times);  // mirrors as they are
-Picture enlarged(const Picture& picture, int times);
+Image enlarged(const Image& picture, int times);
 
 }  // namespace artisketch

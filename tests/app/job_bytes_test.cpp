@@ -22,9 +22,6 @@ JobResult full_result() {
   triangle.F.resize(1, 3);
   triangle.F << 0, 1, 2;
   result.parts = {{5, triangle, {0, 2}, {1.5, 2.5}}};
-  result.trace.add("arm/surface", triangle);
-  result.trace.add("arm/hull", Grid3<float>(Vec3::Zero(), 1, Index3(2, 2, 2)));
-  result.trace.add("arm/rims", Curves{{Vec3(0, 0, 1), Vec3(0, 1, 0)}, {}});
   return result;
 }
 
@@ -38,7 +35,6 @@ TEST(JobBytes, RequestSurvives) {
   request.options.visual_hull = true;
   request.options.triangles = 1234;
   request.options.mirror = false;
-  request.trace = true;
   const auto back = read_job_request(job_bytes(request));
   ASSERT_TRUE(back);
   EXPECT_EQ(back->kind, request.kind);
@@ -49,7 +45,6 @@ TEST(JobBytes, RequestSurvives) {
   EXPECT_TRUE(back->options.visual_hull);
   EXPECT_EQ(back->options.triangles, 1234);
   EXPECT_FALSE(back->options.mirror);
-  EXPECT_TRUE(back->trace);
 }
 
 TEST(JobBytes, PartsOfARequestSurvive) {
@@ -89,7 +84,7 @@ TEST(JobBytes, ProgressSurvives) {
   EXPECT_EQ(back->fraction, 0.625);
 }
 
-TEST(JobBytes, ResultSurvivesButForTheTracesFields) {
+TEST(JobBytes, ResultSurvives) {
   const JobResult made = full_result();
   const auto back = read_job_outcome(job_bytes(Result<JobResult>(made)));
   ASSERT_TRUE(back);
@@ -115,11 +110,6 @@ TEST(JobBytes, ResultSurvivesButForTheTracesFields) {
   EXPECT_EQ(back->parts[0].mesh.F, made.parts[0].mesh.F);
   EXPECT_EQ(back->parts[0].frames, made.parts[0].frames);
   EXPECT_EQ(back->parts[0].distances, made.parts[0].distances);
-  ASSERT_EQ(back->trace.entries.size(), 2u);
-  EXPECT_EQ(back->trace.entries[0].name, "arm/surface");
-  EXPECT_EQ(std::get<Mesh>(back->trace.entries[0].what).V, Points3::Identity(3, 3));
-  EXPECT_EQ(std::get<Mesh>(back->trace.entries[0].what).F(0, 2), 2);
-  EXPECT_EQ(std::get<Curves>(back->trace.entries[1].what)[0][1], Vec3(0, 1, 0));
 }
 
 TEST(JobBytes, ErrorKeepsItsKindAndFaults) {

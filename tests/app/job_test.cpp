@@ -106,20 +106,6 @@ TEST(Job, CalibrationGivesPosesAndNoModel) {
   EXPECT_TRUE(job->fits.empty());
 }
 
-TEST(Job, TraceIsKeptWhereAsked) {
-  JobRequest request = heart();
-  request.options.method = Method::paper;
-  artisketch::Run run;
-  EXPECT_TRUE(run_job(request, run)->trace.entries.empty());
-  request.trace = true;
-  const auto job = run_job(request, run);
-  ASSERT_TRUE(job);
-  EXPECT_FALSE(job->trace.entries.empty());
-  for (const Trace::Entry& entry : job->trace.entries)
-    EXPECT_FALSE(std::holds_alternative<Grid3<float>>(entry.what)) << entry.name;
-  EXPECT_EQ(run.trace, nullptr);
-}
-
 TEST(Job, SpheresAreThoseThatJoinTheParts) {
   JobRequest request;
   request.document = example_text("robot");

@@ -5,19 +5,15 @@
 namespace artisketch {
 namespace {
 
-struct Sheet {
-  int width, height;
-  std::vector<std::uint8_t> rgba;
-  Sheet(int width, int height, bool white)
-      : width(width), height(height), rgba(4 * std::size_t(width) * height, white ? 255 : 0) {}
+struct Sheet : Image {
+  Sheet(int width, int height, bool white) : Image(width, height, white ? 255 : 0) {}
   void fill(const PixelBox& box, std::uint8_t red) {
     for (int y = box.y; y < box.bottom(); ++y)
       for (int x = box.x; x < box.right(); ++x) {
-        std::uint8_t* p = &rgba[4 * (std::size_t(y) * width + x)];
+        std::uint8_t* p = at(x, y);
         p[0] = red, p[1] = 40, p[2] = 60, p[3] = 255;
       }
   }
-  Pixels pixels() const { return {width, height, rgba}; }
 };
 
 TEST(SpriteSheet, IsCutByItsGaps) {
@@ -29,7 +25,7 @@ TEST(SpriteSheet, IsCutByItsGaps) {
         sheet.fill({40 + 200 * column, 30 + 190 * row, 90, 140}, std::uint8_t(100 + 50 * row));
     sheet.fill({132, 60, 10, 20}, 200);
     sheet.fill({300, 385, 3, 3}, 90);
-    const std::vector<Sprite> sprites = sprites_by_gaps(trace_image(sheet.pixels()));
+    const std::vector<Sprite> sprites = sprites_by_gaps(segmented(sheet));
     ASSERT_EQ(sprites.size(), 6u) << white;
     EXPECT_EQ(sprites[4].column, 1);
     EXPECT_EQ(sprites[4].row, 1);
@@ -40,11 +36,9 @@ TEST(SpriteSheet, IsCutByItsGaps) {
       EXPECT_EQ(sprite.drawing.width, sprites[0].drawing.width);
       EXPECT_EQ(sprite.drawing.height, sprites[0].drawing.height);
       EXPECT_GT(sprite.drawing.width, 110);
-      const std::vector<std::uint8_t> cut = cut_out(sheet.pixels(), sprite);
-      EXPECT_EQ(cut[0], white ? 255 : 0);
-      const std::size_t middle =
-          std::size_t(sprite.drawing.height / 2) * sprite.drawing.width + sprite.drawing.width / 2;
-      EXPECT_EQ(cut[4 * middle], 100 + 50 * sprite.row);
+      const Image cut = cut_out(sheet, sprite);
+      EXPECT_EQ(*cut.at(0, 0), white ? 255 : 0);
+      EXPECT_EQ(*cut.at(cut.width / 2, cut.height / 2), 100 + 50 * sprite.row);
     }
   }
 }
@@ -52,10 +46,10 @@ TEST(SpriteSheet, IsCutByItsGaps) {
 TEST(SpriteSheet, OneFigureOrUnlikeThingsAreNoSheet) {
   Sheet one(300, 300, false);
   one.fill({60, 40, 150, 220}, 100);
-  EXPECT_TRUE(sprites_by_gaps(trace_image(one.pixels())).empty());
+  EXPECT_TRUE(sprites_by_gaps(segmented(one)).empty());
   one.fill({260, 40, 30, 100}, 100);
-  EXPECT_TRUE(sprites_by_gaps(trace_image(one.pixels())).empty());
-  EXPECT_TRUE(sprites_by_gaps(trace_image(Sheet(50, 50, true).pixels())).empty());
+  EXPECT_TRUE(sprites_by_gaps(segmented(one)).empty());
+  EXPECT_TRUE(sprites_by_gaps(segmented(Sheet(50, 50, true))).empty());
 }
 
 TEST(SpriteSheet, IsCutByAGrid) {

@@ -111,7 +111,8 @@ TEST(Render, TexturesShowAndSeamsDoNotShade) {
   const Image soup = render(model, camera_at(40, 100), 100);
   for (std::size_t i = 0; i < soup.rgba.size(); ++i) ASSERT_NEAR(soup.rgba[i], whole.rgba[i], 2);
   // Left half red, right half blue.
-  model.texture = Texture{2, 1, {255, 0, 0, 255, 0, 0, 255, 255}};
+  model.texture = Image(2, 1);
+  model.texture->rgba = {255, 0, 0, 255, 0, 0, 255, 255};
   for (int v = 0; v < model.mesh.V.rows(); ++v)
     model.texcoords.emplace_back(model.mesh.V(v, 0) < 0 ? 0.0 : 1.0, 0.5);
   const Image image = render(model, camera_at(40, 100), 100);

@@ -53,9 +53,11 @@ inline Model textured_model(int subdivisions = 2) {
     model.weights.weights.row(i) = weights.weights.row(v);
     model.texcoords.emplace_back((whole.V(v, 0) + 1) / 2, (1 - whole.V(v, 1)) / 2);
   }
-  Texture texture{16, 8, {}};
-  for (int i = 0; i < 16 * 8; ++i)
-    texture.rgba.insert(texture.rgba.end(), {std::uint8_t(i), 90, 60, 255});
+  Image texture(16, 8);
+  for (int i = 0; i < 16 * 8; ++i) {
+    std::uint8_t* p = texture.at(i % 16, i / 16);
+    p[0] = std::uint8_t(i), p[1] = 90, p[2] = 60;
+  }
   model.texture = std::move(texture);
   Clip wave = model.clips[0];
   wave.name = "wave";

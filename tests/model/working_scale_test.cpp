@@ -17,12 +17,13 @@ Document small_drawings() {
 }
 
 // Columns of red and blue.
-Picture stripes(int width, int height) {
-  Picture picture{width, height, {}};
+Image stripes(int width, int height) {
+  Image picture(width, height);
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      for (const int c : {x % 4 < 2 ? 255 : 0, 40, x % 4 < 2 ? 0 : 255, 255})
-        picture.rgba.push_back((unsigned char)c);
+    for (int x = 0; x < width; ++x) {
+      std::uint8_t* p = picture.at(x, y);
+      p[0] = x % 4 < 2 ? 255 : 0, p[1] = 40, p[2] = x % 4 < 2 ? 0 : 255;
+    }
   return picture;
 }
 
@@ -45,13 +46,13 @@ TEST(WorkingScale, AnEnlargedDocumentShowsTheSameInMorePixels) {
              large.frames[1].contours[2].line.points[3])
                 .norm(),
             1e-12);
-  const Picture picture = stripes(3, 2), twice = enlarged(picture, 2);
+  const Image picture = stripes(3, 2), twice = enlarged(picture, 2);
   ASSERT_EQ(twice.width, 6);
   ASSERT_EQ(twice.height, 4);
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 6; ++x)
       for (int c = 0; c < 4; ++c)
-        EXPECT_EQ(twice.rgba[4 * (6 * y + x) + c], picture.rgba[4 * (3 * (y / 2) + x / 2) + c]);
+        EXPECT_EQ(twice.at(x, y)[c], picture.at(x / 2, y / 2)[c]);
 }
 
 // What is small is not worse: the model is that of the same drawings enlarged, with its colours.
@@ -65,7 +66,8 @@ TEST(WorkingScale, DrawingsOfAnySizeGiveTheSameModel) {
   std::optional<Model> first;
   for (const int times : {1, 2, 4}) {
     const Document drawn = enlarged(document, times);
-    options.drawings = {enlarged(stripes(96, 96), times), enlarged(stripes(96, 96), times)};
+    const std::vector<Image> drawings(2, enlarged(stripes(96, 96), times));
+    options.drawings = drawings;
     const Result<Reconstruction> made = reconstruct(drawn, options, run);
     ASSERT_TRUE(made);
     if (!first) {

@@ -13,15 +13,11 @@
 namespace artisketch {
 namespace {
 
-Pixels pixels_of(const Image& image) {
-  return {image.width, image.height, image.rgba};
-}
-
 // Where the figure stands in a frame's drawing; none without one.
 std::optional<Box2> figure_in(const App& app, const Frame& frame) {
   const Drawing* drawing = app.services.drawings.of(frame);
   if (!drawing) return std::nullopt;
-  const Box2 box = figure_box(trace_image(pixels_of(drawing->image)));
+  const Box2 box = figure_box(segmented(drawing->image));
   return box.isEmpty() ? std::nullopt : std::optional(box);
 }
 
@@ -84,9 +80,7 @@ void add_sprites(App& app, const Image& sheet, const std::string& name,
                  const std::vector<Sprite>& sprites) {
   std::vector<Arrived> all;
   for (const Sprite& sprite : sprites) {
-    Image image(sprite.drawing.width, sprite.drawing.height);
-    image.rgba = cut_out(pixels_of(sheet), sprite);
-    all.push_back({name + " " + std::to_string(all.size() + 1), png_bytes(image)});
+    all.push_back({name + " " + std::to_string(all.size() + 1), png_bytes(cut_out(sheet, sprite))});
   }
   add_all(app, all);
 }
@@ -151,7 +145,7 @@ void add_drawing(App& app, const NamedBytes& file) {
     return add_all(app, all);
   }
   Image& sheet = images->front();
-  std::vector<Sprite> sprites = sprites_by_gaps(trace_image(pixels_of(sheet)));
+  std::vector<Sprite> sprites = sprites_by_gaps(segmented(sheet));
   if (sprites.size() > 1) return ask_how_to_cut(app, file, std::move(sheet), std::move(sprites));
   add_all(app, {{name, file.bytes}});
 }

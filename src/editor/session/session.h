@@ -12,7 +12,7 @@
 #include "document/derived.h"
 #include "document/edit.h"
 #include "document/history.h"
-#include "document/trace.h"
+#include "document/region_outline.h"
 #include "editor/session/built_model.h"
 #include "editor/session/tool.h"
 #include "editor/session/view.h"
@@ -86,7 +86,7 @@ struct Bend {
 
 // What a traced outline came from: it can be traced again with another tolerance.
 struct Tracing {
-  TraceImage image;
+  SegmentedImage image;
   FloodLevels levels;
   double from = 0;  // the tolerance when the drag began
 };

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "document/trace.h"
+#include "document/region_outline.h"
 #include "editor/pictures/model_picture.h"
 #include "editor/pictures/view_projection.h"
 #include "editor/session/on_screen.h"

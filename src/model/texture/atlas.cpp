@@ -137,7 +137,7 @@ Atlas make_atlas(const Mesh& mesh, const FaceNeighbours& neighbours, const std::
   return atlas;
 }
 
-void fill_gutters(Texture& picture) {
+void fill_gutters(Image& picture) {
   const std::size_t width = std::size_t(picture.width), texels = width * picture.height;
   std::vector<int> steps(texels);
   for (std::size_t i = 0; i < texels; ++i)

@@ -22,6 +22,6 @@ Atlas make_atlas(const Mesh& mesh, const FaceNeighbours& neighbours, const std::
 
 // Gives texels without alpha the colour of the nearest one that has it, by steps along rows and
 // columns.
-void fill_gutters(Texture& picture);
+void fill_gutters(Image& picture);
 
 }  // namespace artisketch

@@ -14,7 +14,7 @@ constexpr int kBeyondInk = 3;        // pixels that a colour may spread beside i
 
 constexpr std::array<std::array<int, 2>, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-Pixel pixel_of(const Picture& picture, std::size_t p) {
+Pixel pixel_of(const Image& picture, std::size_t p) {
   Pixel pixel;
   std::copy_n(&picture.rgba[4 * p], 4, pixel.begin());
   return pixel;
@@ -39,7 +39,7 @@ struct Span {
 
 // The model over one drawing, while its colours are made.
 struct Overlay {
-  const Picture& picture;
+  const Image& picture;
   const Mask& figure;
   const Triangles& F;
   Visible seen;
@@ -64,7 +64,7 @@ struct Overlay {
 
 // The colour that most of what the mask doesn't hold has, if one prevails: none where the figure is
 // cut out, and what is left outside the outlines is ink.
-std::optional<Pixel> paper_colour(const Picture& picture, const Mask& outlined) {
+std::optional<Pixel> paper_colour(const Image& picture, const Mask& outlined) {
   std::vector<int> count(16 * 16 * 16, 0), last(count.size());
   int all = 0;
   for (std::size_t p = 0; p < outlined.in.size(); ++p) {
@@ -85,7 +85,7 @@ std::optional<Pixel> paper_colour(const Picture& picture, const Mask& outlined) 
 // paper. Outlines run beyond the figure where a part's end is hidden; what they hold there looks
 // like paper and hangs together with it, along a short way: a white glove on white paper loses no
 // more than that, and gets it back from its middle.
-Mask figure_mask(const Frame& frame, const Picture& picture) {
+Mask figure_mask(const Frame& frame, const Image& picture) {
   constexpr double kWay = 0.04;  // of the drawing's larger side
   Mask figure(frame.width, frame.height);
   std::set<int> joints;
@@ -118,7 +118,7 @@ Mask figure_mask(const Frame& frame, const Picture& picture) {
   return figure;
 }
 
-Overlay overlay_of(const Picture& picture, const Mask& figure, const Triangles& F, Visible seen,
+Overlay overlay_of(const Image& picture, const Mask& figure, const Triangles& F, Visible seen,
                    double pixel) {
   Overlay o{picture, figure, F, std::move(seen), pixel, {}, {}};
   o.x = {o.seen.width, 0};
@@ -245,7 +245,7 @@ Eigen::ArrayXXf without_thin_dark(Eigen::ArrayXXf light, int r) {
 
 }  // namespace
 
-void fill_colours(const Frame& frame, const Picture& picture, const Triangles& F, Visible seen,
+void fill_colours(const Frame& frame, const Image& picture, const Triangles& F, Visible seen,
                   double pixel, Sketch& sketch) {
   const Mask figure = figure_mask(frame, picture);
   const Overlay o = overlay_of(picture, figure, F, std::move(seen), pixel);

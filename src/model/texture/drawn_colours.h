@@ -11,7 +11,7 @@ namespace artisketch {
 //   frame, picture  the drawing, of one size
 //   F, seen         the model's triangles, and which of them each pixel shows
 //   pixel           units that a pixel takes
-void fill_colours(const Frame& frame, const Picture& picture, const Triangles& F, Visible seen,
+void fill_colours(const Frame& frame, const Image& picture, const Triangles& F, Visible seen,
                   double pixel, Sketch& sketch);
 
 }  // namespace artisketch

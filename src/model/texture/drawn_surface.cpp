@@ -132,7 +132,7 @@ std::optional<Rgb> SurfaceView::colour(const std::vector<Sketch>& sketches, cons
   return drawn.at(quality[face] < kSquarely ? drawn.plain : drawn.colour, p, d, reach);
 }
 
-Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const Picture> drawings,
+Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const Image> drawings,
                                    const Model& model, Run& run) {
   DrawnSurface out;
   const Triangles& F = model.mesh.F;

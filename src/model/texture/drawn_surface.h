@@ -49,7 +49,7 @@ struct DrawnSurface {
 };
 
 // drawings: one per frame; frames without one (or of another size) are left out.
-Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const Picture> drawings,
+Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const Image> drawings,
                                    const Model& model, Run& run);
 
 }  // namespace artisketch

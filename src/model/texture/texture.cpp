@@ -172,9 +172,8 @@ std::vector<std::uint8_t> border_vertices(const Atlas& atlas, const FaceNeighbou
   return border;
 }
 
-Texture paint(const Atlas& atlas, const FaceNeighbours& neighbours, Painter painter) {
-  Texture picture{atlas.width, atlas.height, {}};
-  picture.rgba.resize(4 * std::size_t(atlas.width) * atlas.height, 0);  // not yet painted
+Image paint(const Atlas& atlas, const FaceNeighbours& neighbours, Painter painter) {
+  Image picture(atlas.width, atlas.height, 0);  // without alpha: not yet painted
   const std::vector<std::uint8_t> border = border_vertices(atlas, neighbours);
   // Texels up to so far off a chart are mixed into it: they are painted too, unless another has.
   constexpr double kRound = 0.75;
@@ -192,7 +191,7 @@ Texture paint(const Atlas& atlas, const FaceNeighbours& neighbours, Painter pain
       painter.begin(f);
       for (int y = int(box.min().y() - margin); y <= int(box.max().y() + margin); ++y)
         for (int x = int(box.min().x() - margin); x <= int(box.max().x() + margin); ++x) {
-          unsigned char* texel = &picture.rgba[4 * (std::size_t(y) * atlas.width + x)];
+          std::uint8_t* texel = picture.at(x, y);
           if (texel[3] > 0) continue;
           const Vec2 centre(x + 0.5, y + 0.5), p = centre - a;
           const double u = (p.x() * e.y() - p.y() * e.x()) * per_area,
@@ -207,7 +206,7 @@ Texture paint(const Atlas& atlas, const FaceNeighbours& neighbours, Painter pain
           }
           const Rgb colour = painter.at(weights);
           for (int k = 0; k < 3; ++k)
-            texel[k] = (unsigned char)(255 * std::clamp(colour[k], 0.0f, 1.0f) + 0.5f);
+            texel[k] = std::uint8_t(255 * std::clamp(colour[k], 0.0f, 1.0f) + 0.5f);
           texel[3] = 255;
         }
     }
@@ -217,7 +216,7 @@ Texture paint(const Atlas& atlas, const FaceNeighbours& neighbours, Painter pain
 
 }  // namespace
 
-Result<Model> textured(const Document& calibrated, std::span<const Picture> drawings,
+Result<Model> textured(const Document& calibrated, std::span<const Image> drawings,
                        const Model& model, Run& run) {
   const Result<DrawnSurface> surface = drawn_surface(calibrated, drawings, model, run);
   if (!surface) return surface.error();

@@ -34,14 +34,14 @@ Document document_of(const Skeleton& skeleton, const std::vector<double>& turns)
 }
 
 // A disc about the picture's middle, with a line of ink round it, on nothing.
-Picture disc(const Colour& colour, double radius = kScale) {
+Image disc(const Colour& colour, double radius = kScale) {
   constexpr double kLine = 3;
-  Picture picture{kSize, kSize, std::vector<unsigned char>(4 * kSize * kSize, 0)};
+  Image picture(kSize, kSize, 0);
   for (int y = 0; y < kSize; ++y)
     for (int x = 0; x < kSize; ++x) {
       const double r = (Vec2(x + 0.5, y + 0.5) - Vec2::Constant(kSize / 2.0)).norm();
       const Colour c = r > radius - kLine ? kInk : colour;
-      unsigned char* p = &picture.rgba[4 * (y * kSize + x)];
+      std::uint8_t* p = picture.at(x, y);
       p[0] = c.r, p[1] = c.g, p[2] = c.b, p[3] = r < radius + 1 ? 255 : 0;
     }
   return picture;
@@ -64,9 +64,9 @@ Model ball() {
 }
 
 Colour texel(const Model& model, int vertex) {
-  const Texture& t = *model.texture;
+  const Image& t = *model.texture;
   const Vec2 p = model.texcoords[vertex].cwiseProduct(Vec2(t.width, t.height));
-  const unsigned char* c = &t.rgba[4 * (std::size_t(p.y()) * t.width + std::size_t(p.x()))];
+  const std::uint8_t* c = t.at(int(p.x()), int(p.y()));
   return {c[0], c[1], c[2]};
 }
 bool is(const Colour& a, const Colour& b, int within) {
@@ -74,7 +74,7 @@ bool is(const Colour& a, const Colour& b, int within) {
          std::abs(a.b - b.b) <= within;
 }
 
-Model painted(const Document& document, const std::vector<Picture>& drawings, const Model& model) {
+Model painted(const Document& document, const std::vector<Image>& drawings, const Model& model) {
   artisketch::Run run;
   Result<Model> result = textured(document, drawings, model, run);
   EXPECT_TRUE(result);
@@ -107,12 +107,12 @@ TEST(Texture, InkStaysOutlineAndTheFarSideTakesWhatSurroundsIt) {
 // A line a few pixels inside the outline would be smeared over what turns away there.
 TEST(Texture, LinesOfInkStayWhereTheyAreSeenSquarely) {
   const Model plain = ball();
-  Picture drawing = disc(kRed);
+  Image drawing = disc(kRed);
   const auto ring = [&](double radius) {
     for (int y = 0; y < kSize; ++y)
       for (int x = 0; x < kSize; ++x) {
         const double r = (Vec2(x + 0.5, y + 0.5) - Vec2::Constant(kSize / 2.0)).norm();
-        unsigned char* p = &drawing.rgba[4 * (y * kSize + x)];
+        std::uint8_t* p = drawing.at(x, y);
         const bool here = radius < 0.6 * kScale || (x % 24 < 6 && y < kSize / 2);  // dashes
         if (std::abs(r - radius) < 1.5 && here) p[0] = kInk.r, p[1] = kInk.g, p[2] = kInk.b;
       }
@@ -136,7 +136,7 @@ TEST(Texture, LinesOfInkStayWhereTheyAreSeenSquarely) {
 // The model may reach a few pixels beyond the figure, onto paper that isn't transparent.
 TEST(Texture, PaperBesideTheOutlinesIsNoColour) {
   const Model plain = ball();
-  Picture drawing = disc(kRed, 0.9 * kScale);
+  Image drawing = disc(kRed, 0.9 * kScale);
   for (std::size_t i = 0; i < drawing.rgba.size(); i += 4)
     if (drawing.rgba[i + 3] == 0) std::fill_n(&drawing.rgba[i], 4, (unsigned char)(255));
   for (const double radius : {0.9, 1.0}) {  // of the outline
@@ -247,8 +247,8 @@ Model pair_of_balls(bool mirrors) {
 
 TEST(Texture, WhatIsHiddenIsPaintedLikeItsMirrorImage) {
   // Red in front, where x is positive, with a blue middle; the ball behind is never seen.
-  Picture drawing = disc(kRed);
-  const Picture spot = disc(kBlue, 14);
+  Image drawing = disc(kRed);
+  const Image spot = disc(kBlue, 14);
   for (int i = 0; i < kSize * kSize; ++i) {
     const double r = (Vec2(i % kSize + 0.5, i / kSize + 0.5) - Vec2::Constant(kSize / 2.0)).norm();
     if (r < 10) std::copy_n(&spot.rgba[4 * i], 4, &drawing.rgba[4 * i]);
@@ -266,9 +266,8 @@ TEST(Texture, WhatIsHiddenIsPaintedLikeItsMirrorImage) {
 TEST(Texture, WithoutDrawingsTheModelStaysPlain) {
   const Model plain = ball();
   const Document document = document_of(plain.skeleton, {0});
-  for (const std::vector<Picture>& drawings :
-       {std::vector<Picture>{}, std::vector<Picture>{Picture{}},
-        std::vector<Picture>{Picture{2, 2, std::vector<unsigned char>(16, 255)}}}) {
+  for (const std::vector<Image>& drawings :
+       {std::vector<Image>{}, std::vector<Image>{Image()}, std::vector<Image>{Image(2, 2)}}) {
     const Model model = painted(document, drawings, plain);
     EXPECT_FALSE(model.texture);
     EXPECT_EQ(model.mesh.V.rows(), plain.mesh.V.rows());

@@ -47,8 +47,8 @@ void trace_again(App& app, double tolerance) {
   if (std::abs(tolerance - app.view.tolerance) < 1e-6) return;
   app.view.tolerance = tolerance;
   NewOutline& fresh = *app.session.new_outline;
-  std::optional<Traced> traced_anew =
-      traced(fresh.tracing->image, fresh.tracing->levels, tolerance);
+  std::optional<RegionOutline> traced_anew =
+      region_outline(fresh.tracing->image, fresh.tracing->levels, tolerance);
   if (!traced_anew) return;
   fresh.line = std::move(traced_anew->outline);
   fresh.holes = std::move(traced_anew->holes);

@@ -58,14 +58,15 @@ class TraceTool : public Tool {
     }
     const Image& image = drawing->image;
     auto tracing = std::make_shared<Tracing>();
-    tracing->image = trace_image({image.width, image.height, image.rgba});
+    tracing->image = segmented(image);
     if (is_paper(tracing->image, at)) {
       explain(app, "That is paper. Click inside a shape; where its line has a gap, draw instead.");
       return false;
     }
     tracing->levels = flood_levels(tracing->image, at);
     tracing->from = app.view.tolerance;
-    std::optional<Traced> found = traced(tracing->image, tracing->levels, app.view.tolerance);
+    std::optional<RegionOutline> found =
+        region_outline(tracing->image, tracing->levels, app.view.tolerance);
     if (!found) {
       explain(app, "Nothing hangs together here. Drag sideways for more.");
       return false;

@@ -12,8 +12,8 @@ namespace artisketch {
 namespace {
 
 // Each pixel the mean of four.
-Texture halved(const Texture& from) {
-  Texture to;
+Image halved(const Image& from) {
+  Image to;
   to.width = std::max(1, from.width / 2);
   to.height = std::max(1, from.height / 2);
   const auto at = [&](int x, int y, int channel) {

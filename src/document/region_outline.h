@@ -1,24 +1,18 @@
-// Trace: from a click on a drawing to the outline of the region about it.
+// From a click on a drawing to the outline of the region about it.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
+#include "base/image.h"
 #include "document/contour.h"
 
 namespace artisketch {
 
-// Rows from the top, sRGB, straight alpha.
-struct Pixels {
-  int width = 0, height = 0;
-  std::span<const std::uint8_t> rgba;  // 4 · width · height
-};
-
 // A drawing made ready: how its pixels look, what is paper, what is ink. Images of more than two
 // million pixels are halved until they aren't.
-struct TraceImage {
+struct SegmentedImage {
   struct Tone {
     float l = 0, a = 0, b = 0, alpha = 0;  // OKLab times alpha, weighted for comparison
   };
@@ -29,10 +23,10 @@ struct TraceImage {
       paper;                      // what lies about the figure: transparent, or the border's colour
   std::vector<std::uint8_t> ink;  // dark lines, thin, between what is lighter on both sides
 };
-TraceImage trace_image(const Pixels& pixels);
+SegmentedImage segmented(const Image& drawing);
 
 // Where the figure stands: all that isn't paper, in the drawing's pixels. Empty where all is.
-Box2 figure_box(const TraceImage& image);
+Box2 figure_box(const SegmentedImage& image);
 
 // The level at which flooding from the clicked place reaches each pixel: the least tolerance at
 // which it belongs to the region. Paper is never reached, unless it was clicked.
@@ -41,19 +35,21 @@ struct FloodLevels {
   int seed = 0;              // index of the clicked pixel
 };
 inline constexpr float kMostUnlike = 1.5f;
-bool is_paper(const TraceImage& image, const Vec2& at);
-FloodLevels flood_levels(const TraceImage& image, const Vec2& at);  // `at` in the drawing's pixels
+bool is_paper(const SegmentedImage& image, const Vec2& at);
+FloodLevels flood_levels(const SegmentedImage& image,
+                         const Vec2& at);  // `at` in the drawing's pixels
 
 // The region's outline, and its holes: what is paper within it and a tenth of it or more. A
 // boundary along an ink line stands on the line's middle, one between two colours where each
 // covers half a pixel. Smoothed and simplified to within 0.35 pixels; never crosses itself.
 //   tolerance  0 … 1: from the clicked colour alone to all that hangs together and isn't paper
 // Nothing where the image has no pixels or paper was clicked.
-struct Traced {
+struct RegionOutline {
   Polyline outline;
   std::vector<Polyline> holes;
 };
-std::optional<Traced> traced(const TraceImage& image, const FloodLevels& levels, double tolerance);
+std::optional<RegionOutline> region_outline(const SegmentedImage& image, const FloodLevels& levels,
+                                            double tolerance);
 inline constexpr double kUsualTolerance = 0.1;
 
 }  // namespace artisketch

@@ -1,4 +1,4 @@
-#include "document/trace.h"
+#include "document/region_outline.h"
 
 #include <cmath>
 #include <functional>
@@ -14,15 +14,9 @@ struct Rgba {
 constexpr Rgba kClear{0, 0, 0, 0}, kWhite{255, 255, 255, 255}, kInk{20, 20, 24, 255},
     kRed{200, 60, 50, 255}, kBlue{50, 80, 190, 255};
 
-struct Made {
-  int width, height;
-  std::vector<std::uint8_t> rgba;
-  Pixels pixels() const { return {width, height, rgba}; }
-};
-
 // Each pixel the mean of 8 × 8 samples: antialiased as a painter would be.
-Made painted(int width, int height, const std::function<Rgba(Vec2)>& paint) {
-  Made made{width, height, {}};
+Image painted(int width, int height, const std::function<Rgba(Vec2)>& paint) {
+  Image made(width, height);
   constexpr int kSamples = 8;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
@@ -32,16 +26,17 @@ Made painted(int width, int height, const std::function<Rgba(Vec2)>& paint) {
             paint({x + (k % kSamples + 0.5) / kSamples, y + (k / kSamples + 0.5) / kSamples});
         sum = {sum.r + c.r * c.a, sum.g + c.g * c.a, sum.b + c.b * c.a, sum.a + c.a};
       }
+      std::uint8_t* pixel = made.at(x, y);
       for (double v : {sum.r, sum.g, sum.b})
-        made.rgba.push_back(std::uint8_t(sum.a > 0 ? std::lround(v / sum.a) : 0));
-      made.rgba.push_back(std::uint8_t(std::lround(sum.a / (kSamples * kSamples))));
+        *pixel++ = std::uint8_t(sum.a > 0 ? std::lround(v / sum.a) : 0);
+      *pixel = std::uint8_t(std::lround(sum.a / (kSamples * kSamples)));
     }
   return made;
 }
 
-std::optional<Traced> trace(const Made& made, Vec2 at, double tolerance = kUsualTolerance) {
-  const TraceImage image = trace_image(made.pixels());
-  return traced(image, flood_levels(image, at), tolerance);
+std::optional<RegionOutline> trace(const Image& made, Vec2 at, double tolerance = kUsualTolerance) {
+  const SegmentedImage image = segmented(made);
+  return region_outline(image, flood_levels(image, at), tolerance);
 }
 
 // How far the line's points and the middles of its edges are from a circle, at most.
@@ -55,10 +50,10 @@ double off_circle(const Polyline& line, Vec2 centre, double radius) {
 
 constexpr double kWithin = 0.35;  // pixels
 
-TEST(Trace, FollowsAnAntialiasedDiscToAThirdOfAPixel) {
+TEST(RegionOutline, FollowsAnAntialiasedDiscToAThirdOfAPixel) {
   const Vec2 centre(61.3, 58.8);
   for (const Rgba& ground : {kClear, kWhite}) {
-    const Made disc =
+    const Image disc =
         painted(120, 120, [&](Vec2 p) { return (p - centre).norm() < 40.2 ? kRed : ground; });
     const auto found = trace(disc, {50, 60});
     ASSERT_TRUE(found);
@@ -69,7 +64,7 @@ TEST(Trace, FollowsAnAntialiasedDiscToAThirdOfAPixel) {
   }
 }
 
-TEST(Trace, GivesTheLargeHoleOfARingAndNotASmallOne) {
+TEST(RegionOutline, GivesTheLargeHoleOfARingAndNotASmallOne) {
   const Vec2 centre(80, 80);
   const auto ring = [&](double hole) {
     return painted(160, 160, [&, hole](Vec2 p) {
@@ -87,11 +82,11 @@ TEST(Trace, GivesTheLargeHoleOfARingAndNotASmallOne) {
   EXPECT_TRUE(small->holes.empty());
 }
 
-TEST(Trace, StopsInTheMiddleOfInk) {
+TEST(RegionOutline, StopsInTheMiddleOfInk) {
   const Vec2 centre(100, 100);
   for (const Rgba& fill : {kWhite, kRed})
     for (const Rgba& ground : {kWhite, kClear}) {
-      const Made shape = painted(200, 200, [&](Vec2 p) {
+      const Image shape = painted(200, 200, [&](Vec2 p) {
         const double d = (p - centre).norm();
         return d < 68 ? fill : d < 72 ? kInk : ground;
       });
@@ -101,9 +96,9 @@ TEST(Trace, StopsInTheMiddleOfInk) {
     }
 }
 
-TEST(Trace, ClosesASmallGapInInk) {
+TEST(RegionOutline, ClosesASmallGapInInk) {
   const Vec2 centre(100, 100);
-  const Made shape = painted(200, 200, [&](Vec2 p) {
+  const Image shape = painted(200, 200, [&](Vec2 p) {
     const double d = (p - centre).norm();
     const bool gap = p.x() > 100 && std::abs(p.y() - 100) < 1;
     return d > 68 && d < 72 && !gap ? kInk : kWhite;
@@ -114,7 +109,7 @@ TEST(Trace, ClosesASmallGapInInk) {
 }
 
 // A head of one colour on a body of another, both with ink about them.
-Made sprite() {
+Image sprite() {
   return painted(160, 240, [](Vec2 p) {
     const double head = (p - Vec2(80, 60)).norm() - 40,
                  body = std::max(std::abs(p.x() - 80) - 30, std::abs(p.y() - 160) - 65);
@@ -125,7 +120,7 @@ Made sprite() {
   });
 }
 
-TEST(Trace, TakesOneColourOrWithAllToleranceTheWholeFigure) {
+TEST(RegionOutline, TakesOneColourOrWithAllToleranceTheWholeFigure) {
   const auto body = trace(sprite(), {80, 160});
   ASSERT_TRUE(body);
   const Box2 box = bounds(std::span(&body->outline, 1));
@@ -140,20 +135,20 @@ TEST(Trace, TakesOneColourOrWithAllToleranceTheWholeFigure) {
   EXPECT_FALSE(self_crossing(whole->outline));
 }
 
-TEST(Trace, LeavesPaperAlone) {
-  const Made made = sprite();
-  const TraceImage image = trace_image(made.pixels());
+TEST(RegionOutline, LeavesPaperAlone) {
+  const Image made = sprite();
+  const SegmentedImage image = segmented(made);
   EXPECT_TRUE(is_paper(image, {5, 5}));
   EXPECT_TRUE(is_paper(image, {-5, 5}));
   EXPECT_FALSE(is_paper(image, {80, 160}));
-  EXPECT_FALSE(traced(image, flood_levels(image, {5, 5}), 1));
+  EXPECT_FALSE(region_outline(image, flood_levels(image, {5, 5}), 1));
   const Box2 figure = figure_box(image);
   EXPECT_LT((figure.min() - Vec2(38, 18)).norm(), 1.5);
   EXPECT_LT((figure.max() - Vec2(122, 227)).norm(), 1.5);
 }
 
-TEST(Trace, TakesASinglePixelAndAWholeImage) {
-  Made dot = painted(9, 7, [](Vec2 p) {
+TEST(RegionOutline, TakesASinglePixelAndAWholeImage) {
+  Image dot = painted(9, 7, [](Vec2 p) {
     return p.x() > 4 && p.x() < 5 && p.y() > 3 && p.y() < 4 ? kRed : kClear;
   });
   const auto found = trace(dot, {4.5, 3.5});
@@ -162,7 +157,7 @@ TEST(Trace, TakesASinglePixelAndAWholeImage) {
   EXPECT_TRUE(box.contains(Vec2(4.5, 3.5)));
   EXPECT_LT(box.sizes().maxCoeff(), 1.5);
 
-  const Made full = painted(40, 30, [](Vec2 p) { return p.x() < 20 ? kRed : kBlue; });
+  const Image full = painted(40, 30, [](Vec2 p) { return p.x() < 20 ? kRed : kBlue; });
   const auto whole = trace(full, {5, 5}, 1);
   ASSERT_TRUE(whole);
   EXPECT_NEAR(signed_area(whole->outline), 1200, 0.15 * 140);
@@ -171,17 +166,17 @@ TEST(Trace, TakesASinglePixelAndAWholeImage) {
   EXPECT_NEAR(signed_area(left->outline), 600, 0.15 * 100);
 }
 
-TEST(Trace, TakesLargeImagesAndNone) {
-  Made large{2400, 1800, std::vector<std::uint8_t>(std::size_t(4) * 2400 * 1800, 0)};
+TEST(RegionOutline, TakesLargeImagesAndNone) {
+  Image large{2400, 1800, std::vector<std::uint8_t>(std::size_t(4) * 2400 * 1800, 0)};
   for (int y = 400; y < 1200; ++y)
     for (int x = 600; x < 1800; ++x)
       for (int c : {0, 3}) large.rgba[4 * (std::size_t(y) * 2400 + x) + c] = 255;
   const auto found = trace(large, {1000, 700});
   ASSERT_TRUE(found);
   EXPECT_NEAR(signed_area(found->outline), 1200 * 800, 0.002 * 1200 * 800);
-  const TraceImage none = trace_image({0, 0, {}});
+  const SegmentedImage none = segmented(Image());
   EXPECT_TRUE(is_paper(none, {0, 0}));
-  EXPECT_FALSE(traced(none, flood_levels(none, {0, 0}), 1));
+  EXPECT_FALSE(region_outline(none, flood_levels(none, {0, 0}), 1));
 }
 
 }  // namespace

@@ -1,16 +1,16 @@
-#include "document/trace.h"
+#include "document/region_outline.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "base/srgb.h"
 #include "document/line_fit.h"
 
 namespace artisketch {
 namespace {
 
-using Tone = TraceImage::Tone;
+using Tone = SegmentedImage::Tone;
 using Mask = std::vector<std::uint8_t>;
 
 // ---------------------------------------------------------------- how pixels look
@@ -18,11 +18,6 @@ using Mask = std::vector<std::uint8_t>;
 // Shading changes lightness before anything else: less of it counts. Transparency differs from
 // any colour by at least so much.
 constexpr float kLightness = 0.6f, kTransparency = 0.6f;
-
-float linear(int value) {
-  const float s = float(value) / 255;
-  return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
-}
 
 // Björn Ottosson's OKLab, of linear sRGB.
 Tone oklab(float r, float g, float b) {
@@ -44,9 +39,9 @@ float lightness(const Tone& t) {
   return t.l / kLightness + 1 - t.alpha / kTransparency;
 }
 
-void read_tones(const Pixels& pixels, TraceImage& image) {
+void read_tones(const Image& drawing, SegmentedImage& image) {
   float curve[256];
-  for (int v = 0; v < 256; ++v) curve[v] = linear(v);
+  for (int v = 0; v < 256; ++v) curve[v] = to_linear(float(v) / 255);
   const int k = image.pixels;
   image.tones.resize(std::size_t(image.width) * image.height);
   for (int y = 0; y < image.height; ++y)
@@ -54,8 +49,7 @@ void read_tones(const Pixels& pixels, TraceImage& image) {
       float sum[4] = {0, 0, 0, 0};
       for (int j = 0; j < k; ++j)
         for (int i = 0; i < k; ++i) {
-          const std::uint8_t* p =
-              &pixels.rgba[4 * (std::size_t(y * k + j) * pixels.width + (x * k + i))];
+          const std::uint8_t* p = drawing.at(x * k + i, y * k + j);
           const float alpha = float(p[3]) / 255;
           for (int c = 0; c < 3; ++c) sum[c] += alpha * curve[p[c]];
           sum[3] += alpha;
@@ -153,7 +147,7 @@ std::vector<float> extreme(std::vector<float> values, int w, int h, int radius, 
 
 // ---------------------------------------------------------------- paper and ink
 
-Mask paper_of(const TraceImage& image) {
+Mask paper_of(const SegmentedImage& image) {
   const int w = image.width, h = image.height, n = w * h;
   Mask paper(std::size_t(n), 0);
   constexpr double kSheer = 0.01;  // an image this much of which is transparent is a cut-out
@@ -185,7 +179,7 @@ Mask paper_of(const TraceImage& image) {
 
 // Lines at most two reaches wide that are darker than both sides: what a morphological closing of
 // the lightness fills.
-Mask ink_of(const TraceImage& image) {
+Mask ink_of(const SegmentedImage& image) {
   const int w = image.width, h = image.height;
   std::vector<float> light(image.tones.size());
   for (std::size_t i = 0; i < light.size(); ++i) light[i] = lightness(image.tones[i]);
@@ -197,7 +191,7 @@ Mask ink_of(const TraceImage& image) {
   return ink;
 }
 
-int pixel_at(const TraceImage& image, const Vec2& at) {
+int pixel_at(const SegmentedImage& image, const Vec2& at) {
   const auto along = [&](double v, int size) {
     return int(std::clamp(std::floor(v / image.pixels), 0.0, double(size - 1)));
   };
@@ -206,22 +200,21 @@ int pixel_at(const TraceImage& image, const Vec2& at) {
 
 }  // namespace
 
-TraceImage trace_image(const Pixels& pixels) {
-  assert(pixels.rgba.size() >= 4 * std::size_t(pixels.width) * pixels.height);
+SegmentedImage segmented(const Image& drawing) {
   constexpr double kMost = 2e6;
-  TraceImage image;
-  while (double(pixels.width / image.pixels) * (pixels.height / image.pixels) > kMost)
+  SegmentedImage image;
+  while (double(drawing.width / image.pixels) * (drawing.height / image.pixels) > kMost)
     image.pixels *= 2;
-  image.width = pixels.width / image.pixels;
-  image.height = pixels.height / image.pixels;
+  image.width = drawing.width / image.pixels;
+  image.height = drawing.height / image.pixels;
   if (image.width < 1 || image.height < 1) return {};
-  read_tones(pixels, image);
+  read_tones(drawing, image);
   image.paper = paper_of(image);
   image.ink = ink_of(image);
   return image;
 }
 
-Box2 figure_box(const TraceImage& image) {
+Box2 figure_box(const SegmentedImage& image) {
   Box2 box;
   for (int i = 0; i < int(image.paper.size()); ++i) {
     if (image.paper[i]) continue;
@@ -232,7 +225,7 @@ Box2 figure_box(const TraceImage& image) {
   return box;
 }
 
-bool is_paper(const TraceImage& image, const Vec2& at) {
+bool is_paper(const SegmentedImage& image, const Vec2& at) {
   const Vec2 size = image.pixels * Vec2(image.width, image.height);
   return image.tones.empty() || at.minCoeff() < 0 || at.x() >= size.x() || at.y() >= size.y() ||
          image.paper[pixel_at(image, at)];
@@ -240,7 +233,7 @@ bool is_paper(const TraceImage& image, const Vec2& at) {
 
 // Pixels are reached in the order of how unlike they are, so each gets the least that a way to it
 // demands. Source: the watershed by flooding, Meyer 1991.
-FloodLevels flood_levels(const TraceImage& image, const Vec2& at) {
+FloodLevels flood_levels(const SegmentedImage& image, const Vec2& at) {
   FloodLevels levels;
   if (image.tones.empty()) return levels;
   const int w = image.width, h = image.height;
@@ -289,7 +282,7 @@ struct Window {
   int seed = 0;
 };
 
-Window window_about(const TraceImage& image, const FloodLevels& levels, float tolerance) {
+Window window_about(const SegmentedImage& image, const FloodLevels& levels, float tolerance) {
   const int w = image.width;
   int low_x = w, low_y = image.height, high_x = -1, high_y = -1;
   for (int i = 0; i < int(levels.level.size()); ++i)
@@ -450,7 +443,8 @@ Polyline fitted(const Polyline& raw) {
 
 }  // namespace
 
-std::optional<Traced> traced(const TraceImage& image, const FloodLevels& levels, double tolerance) {
+std::optional<RegionOutline> region_outline(const SegmentedImage& image, const FloodLevels& levels,
+                                            double tolerance) {
   if (image.tones.empty() || image.paper[levels.seed]) return std::nullopt;
   const bool all = tolerance >= 1;
   Window window = window_about(image, levels, all ? kMostUnlike : float(std::max(0.0, tolerance)));
@@ -463,7 +457,7 @@ std::optional<Traced> traced(const TraceImage& image, const FloodLevels& levels,
   const auto largest = std::max_element(lines.begin(), lines.end(), area);
   if (largest == lines.end() || signed_area(*largest) <= 0) return std::nullopt;
   constexpr double kHole = 0.05;  // of the outline: less is a speck
-  Traced result;
+  RegionOutline result;
   const auto placed = [&](const Polyline& line) {
     Polyline fit = fitted(line);
     for (Vec2& p : fit.points) p = image.pixels * (p + Vec2(window.x, window.y));
