@@ -26,6 +26,7 @@
 #include "files/mesh_file.h"
 #include "files/preview.h"
 #include "files/report_file.h"
+#include "files/trace_file.h"
 #include "model/calibrate/unseen_sides.h"
 #include "model/rig/retarget.h"
 #include "model/stages.h"
@@ -43,7 +44,7 @@ void ask_to_stop(int) {
 }
 
 struct Arguments {
-  std::string in, out, calibrated, report, preview, motion, method, size = "800x800";
+  std::string in, out, calibrated, report, preview, trace, motion, method, size = "800x800";
   std::optional<int> grid, triangles;
   bool no_calibrate = false, no_texture = false, visual_hull = false, quiet = false,
        progress = false;
@@ -205,9 +206,16 @@ class CommandRun {
   ProgressLine line_;
 };
 
-Method method_of(const Arguments& a, const Document& document) {
-  const std::string name = !a.method.empty() ? a.method : document.settings.method.value_or("");
-  return name == "paper" ? Method::paper : name == "rays" ? Method::rays : kDefaultMethod;
+// The document's settings, and the flags over them.
+PipelineOptions options_of(const Arguments& a, const Document& document) {
+  PipelineOptions options = with_settings({}, document.settings);
+  options.method = method_named(a.method, options.method);
+  options.grid = a.grid.value_or(options.grid);
+  options.triangles = a.triangles.value_or(options.triangles);
+  options.texture = options.texture && !a.no_texture;
+  options.calibrate = !a.no_calibrate;
+  options.visual_hull = a.visual_hull;
+  return options;
 }
 
 void print_warnings(const std::vector<std::string>& warnings) {
@@ -264,6 +272,16 @@ std::string text_beside(Document document, const std::string& from, const std::s
   return document_text(document);
 }
 
+int write_trace(const std::string& folder, const Trace& trace) {
+  if (folder.empty()) return kDone;
+  std::error_code failed;
+  std::filesystem::create_directory(folder, failed);
+  for (const NamedFile& file : trace_files(trace))
+    if (const auto written = write_file(folder + "/" + file.name, file.bytes); !written)
+      return fail(io_error(written.error().text()));
+  return kDone;
+}
+
 int reconstruct_verb(Arguments& a) {
   const std::string ending = model_ending(a.out);
   if (ending.empty())
@@ -275,6 +293,11 @@ int reconstruct_verb(Arguments& a) {
                                     {"--preview", a.preview, Kind::picture}};
   if (const auto words = wrong_ending(targets)) return bad_command_line(*words);
   if (const auto error = unwritable(targets)) return fail(*error);
+  // The trace's folder is made at the end, where it isn't there yet.
+  std::error_code ignored;
+  const bool folder_is_there = std::filesystem::is_directory(a.trace, ignored);
+  const std::string in_trace = folder_is_there ? a.trace + "/001" : a.trace;
+  if (const auto error = unwritable({{"--trace", in_trace, Kind::model}})) return fail(*error);
   const Result<Document> document = sound_document(a.in);
   if (!document) return fail(document.error());
   std::vector<std::string> inputs = files_of(*document, a.in);
@@ -291,25 +314,21 @@ int reconstruct_verb(Arguments& a) {
     if (!moved) return fail(bad_input(a.motion + ": " + moved.error().text()));
     clip = std::move(*moved);
   }
-  PipelineOptions options;
-  options.method = method_of(a, *document);
-  options.grid = a.grid.value_or(document->settings.grid.value_or(options.grid));
+  PipelineOptions options = options_of(a, *document);
   a.grid = options.grid;
-  options.triangles =
-      a.triangles.value_or(document->settings.triangles.value_or(options.triangles));
-  options.mirror = document->settings.mirror.value_or(options.mirror);
-  options.calibrate = !a.no_calibrate;
-  options.visual_hull = a.visual_hull;
   std::vector<Image> drawings;
-  const bool texture = !a.no_texture && document->settings.texture.value_or(true);
   std::vector<std::string> missing;
-  if (texture || !a.preview.empty()) drawings = load_drawings(*document, a.in, missing);
+  if (options.texture || !a.preview.empty()) drawings = load_drawings(*document, a.in, missing);
   print_warnings(missing);
   print_warnings(drawing_words(*document, a.in));
-  if (texture) options.drawings = drawings;
+  options.drawings = drawings;
   CommandRun command(a);
+  Trace trace;
+  if (!a.trace.empty()) command.run.trace = &trace;
   Result<Reconstruction> result = reconstruct(*document, options, command.run);
   command.finish();
+  // What a failed run found before it failed is wanted most of all.
+  if (const int status = write_trace(a.trace, trace)) return status;
   if (!result) return fail(result.error());
   print_warnings(result->warnings);
   if (clip) result->model.clips.insert(result->model.clips.begin() + 1, std::move(*clip));
@@ -342,7 +361,8 @@ int calibrate_verb(const Arguments& a) {
   CommandRun command(a);
   command.run.now.stage = "calibrate";
   const auto began = std::chrono::steady_clock::now();
-  const Result<Calibration> result = calibrate(*document, {method_of(a, *document)}, command.run);
+  const Result<Calibration> result =
+      calibrate(*document, {options_of(a, *document).method}, command.run);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   command.finish();
@@ -469,6 +489,9 @@ int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
   make.add_option("--calibrated", a.calibrated, "the document at the calibrated poses");
   make.add_option("--preview", a.preview,
                   "a contact sheet: drawings, result over them, four sides (.png)");
+  make.add_option("--trace", a.trace,
+                  "a folder for what is found on the way: meshes (.ply), curves (.obj), "
+                  "fields (.nrrd)");
   make.add_flag("--visual-hull", a.visual_hull, "stop after carving: the plain hull of each part");
   CLI::App& pose = *app.add_subcommand("calibrate", "Refine a document's poses and write it again");
   add_run_flags(pose, a);

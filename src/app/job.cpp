@@ -29,8 +29,7 @@ Result<JobResult> run_reconstruction(const Document& document, const JobRequest&
   PipelineOptions options = request.options;
   std::vector<std::string> missing;
   std::vector<Image> drawings;
-  if (document.settings.texture.value_or(true))
-    drawings = load_drawings(drawings_inside(document), "", missing);
+  if (options.texture) drawings = load_drawings(drawings_inside(document), "", missing);
   options.drawings = drawings;
   Result<Reconstruction> made = reconstruct(document, options, run);
   if (!made) return made.error();

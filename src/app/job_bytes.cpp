@@ -119,7 +119,7 @@ void field(Archive& a, T& part) {
 template <class Archive, Is<PipelineOptions> T>
 void field(Archive& a, T& o) {
   field(a, o.method), field(a, o.grid), field(a, o.calibrate), field(a, o.visual_hull);
-  field(a, o.triangles), field(a, o.mirror);
+  field(a, o.triangles), field(a, o.mirror), field(a, o.texture);
 }
 
 template <class Archive, Is<JobRequest> T>

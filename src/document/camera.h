@@ -21,6 +21,24 @@ struct Ray {
   Vec3 at_z(double z) const { return at(depth_at(z)); }  // its point with that z in the world
 };
 
+// The point nearest to rays, as lines: where the sum of its squared distances from them, and of
+// `weight` times that from `otherwise`, is least. `weight` > 0: parallel rays leave a depth open.
+class NearestToRays {
+ public:
+  NearestToRays(const Vec3& otherwise, double weight)
+      : A_(weight * Mat3::Identity()), b_(weight * otherwise) {}
+  void add(const Ray& ray) {
+    const Mat3 across = Mat3::Identity() - ray.direction * ray.direction.transpose();
+    A_ += across;
+    b_ += across * ray.origin;
+  }
+  Vec3 point() const { return A_.inverse() * b_; }
+
+ private:
+  Mat3 A_;
+  Vec3 b_;
+};
+
 // The camera as one frame sees it: with the frame's principal point and, where orthographic, its
 // scale (FORMAT.md, frames[].scale).
 struct FrameCamera {

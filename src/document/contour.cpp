@@ -29,6 +29,19 @@ bool contains(const Polyline& closed, const Vec2& p) {
   return inside;
 }
 
+bool contains(std::span<const Polyline> lines, const Vec2& p) {
+  bool inside = false;
+  for (const Polyline& line : lines) inside ^= line.closed && contains(line, p);
+  return inside;
+}
+
+std::vector<std::vector<Vec2>> closed_polygons(std::span<const Polyline> lines) {
+  std::vector<std::vector<Vec2>> polygons;
+  for (const Polyline& line : lines)
+    if (line.closed) polygons.push_back(line.points);
+  return polygons;
+}
+
 Box2 bounds(std::span<const Polyline> lines) {
   Box2 box;
   for (const Polyline& line : lines)

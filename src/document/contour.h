@@ -25,7 +25,11 @@ inline double cross(const Vec2& a, const Vec2& b) {
 // Pixels²; positive where the points run clockwise on screen.
 double signed_area(const Polyline& closed);
 double length(const Polyline& line);
-bool contains(const Polyline& closed, const Vec2& p);  // even-odd
+// By the even-odd rule: of all closed lines together.
+bool contains(const Polyline& closed, const Vec2& p);
+bool contains(std::span<const Polyline> lines, const Vec2& p);
+// The closed ones of the lines.
+std::vector<std::vector<Vec2>> closed_polygons(std::span<const Polyline> lines);
 Box2 bounds(std::span<const Polyline> lines);
 
 // Points at equal steps of at most `step` pixels along the line, starting at its first point; an

@@ -37,10 +37,7 @@ bool is_hidden(const Frame& frame, int joint) {
 }
 
 std::vector<std::vector<Vec2>> closed_contours(const Frame& frame, int joint) {
-  std::vector<std::vector<Vec2>> polygons;
-  for (const Contour& contour : frame.contours)
-    if (contour.joint == joint && contour.line.closed) polygons.push_back(contour.line.points);
-  return polygons;
+  return closed_polygons(contours_of(frame, joint));
 }
 
 std::vector<int> drawn_joints(const Document& document) {

@@ -29,17 +29,6 @@ std::vector<Polyline> closed_lines(const Frame& frame, int joint) {
   return lines;
 }
 
-bool inside(const std::vector<Polyline>& lines, const Vec2& p) {
-  bool in = false;
-  for (const Polyline& line : lines)
-    for (std::size_t s = 0; s < line.segments(); ++s) {
-      const Vec2 &a = line.points[s], &b = line.end_of(s);
-      if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-      if (p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) in = !in;
-    }
-  return in;
-}
-
 // The middle of what two parts share in the drawing; where they are apart, the middle between the
 // two points that are nearest to each other.
 Vec2 meeting(const std::vector<Polyline>& a, const std::vector<Polyline>& b) {
@@ -52,7 +41,7 @@ Vec2 meeting(const std::vector<Polyline>& a, const std::vector<Polyline>& b) {
       for (int x = 0; x < kSamples; ++x) {
         const Vec2 p = common.min() + common.sizes().cwiseProduct(
                                           Vec2((x + 0.5) / kSamples, (y + 0.5) / kSamples));
-        if (!inside(a, p) || !inside(b, p)) continue;
+        if (!contains(a, p) || !contains(b, p)) continue;
         sum += p;
         ++count;
       }

@@ -68,13 +68,6 @@ void fill(Image& image, const Colour& colour) {
     image.rgba[i] = std::uint8_t(255 * c[i % 4] + 0.5f);
 }
 
-void fill_rectangle(Image& image, const Box2& box, double radius, const Colour& colour) {
-  const Pixels area = touched(image, box, 1);
-  for (int y = area.y0; y < area.y1; ++y)
-    for (int x = area.x0; x < area.x1; ++x)
-      blend(image, x, y, colour, coverage(rounded_box_distance(box, radius, {x + 0.5, y + 0.5})));
-}
-
 void draw_rectangle(Image& image, const Box2& box, double radius, double width,
                     const Colour& colour) {
   const Pixels area = touched(image, box, width + 1);

@@ -25,7 +25,6 @@ void blend(Image& image, int x, int y, const Colour& colour, double coverage);
 void fill(Image& image, const Colour& colour);
 
 // radius: of the corners.
-void fill_rectangle(Image& image, const Box2& box, double radius, const Colour& colour);
 void draw_rectangle(Image& image, const Box2& box, double radius, double width,
                     const Colour& colour);
 

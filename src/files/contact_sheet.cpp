@@ -4,6 +4,7 @@
 #include <numeric>
 #include <string>
 
+#include "base/words.h"
 #include "files/canvas.h"
 #include "files/marks.h"
 #include "files/preview.h"
@@ -22,10 +23,11 @@ const std::string kDot = "  \xC2\xB7  ";
 
 constexpr const char* kSides[] = {"Front", "Right side", "Back", "Left side"};
 
-std::string counted(long long n, const std::string& what) {
+// "12 000 triangles".
+std::string in_thousands(long long n, const std::string& one) {
   std::string digits = std::to_string(n);
   for (int i = int(digits.size()) - 3; i > 0; i -= 3) digits.insert(i, 1, ' ');
-  return digits + " " + what + (n == 1 ? "" : "s");
+  return digits + " " + plural(n, one);
 }
 
 std::string decimal(double value, int places) {
@@ -190,7 +192,7 @@ Caption sketch_caption(const Document& document, int frame, bool shows_former) {
   const std::string number = std::to_string(frame + 1);
   return {f.name.empty() ? "Drawing " + number : number + "  " + f.name,
           shows_former ? "dotted: before calibration"
-                       : counted((long long)f.contours.size(), "outline")};
+                       : in_thousands((long long)f.contours.size(), "outline")};
 }
 
 void draw_header(Image& sheet, const Layout& layout, const Document& document,
@@ -198,10 +200,10 @@ void draw_header(Image& sheet, const Layout& layout, const Document& document,
   const double right = layout.width - kMargin;
   draw_text(sheet, {kMargin, 48}, shortened(document.name, kTitle, layout.content * 0.7), kTitle,
             colour(kText));
-  const std::string facts = counted((long long)document.frames.size(), "drawing") + kDot +
-                            counted((long long)drawn_joints(document).size(), "part") + kDot +
-                            counted(document.skeleton.size(), "joint") + kDot +
-                            counted((long long)result.model.mesh.F.rows(), "triangle");
+  const std::string facts = in_thousands((long long)document.frames.size(), "drawing") + kDot +
+                            in_thousands((long long)drawn_joints(document).size(), "part") + kDot +
+                            in_thousands(document.skeleton.size(), "joint") + kDot +
+                            in_thousands((long long)result.model.mesh.F.rows(), "triangle");
   const std::string unit = "mean silhouette IoU";
   draw_text(sheet, {kMargin, 73},
             shortened(facts, kBody, layout.content - text_width(unit, kBody) - 24), kBody,

@@ -5,6 +5,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "base/words.h"
 #include "files/bytes.h"
 #include "files/json_reader.h"
 
@@ -344,8 +345,7 @@ void Reader::contour(const Json& value, const JsonPath& at, const std::string& f
 void Reader::check_length(const JsonPath& at, const std::string& whose, const Polyline& line) {
   const std::size_t least = line.closed ? 3 : 2;
   if (line.points.size() < least)
-    faults_.add(at, whose + " has " + std::to_string(line.points.size()) +
-                        (line.points.size() == 1 ? " point" : " different points") +
+    faults_.add(at, whose + " has " + counted(line.points.size(), "different point") +
                         "; should have at least " + std::to_string(least) +
                         (line.closed ? ", as a closed line" : ", as an open line"));
 }

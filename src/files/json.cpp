@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "base/words.h"
+
 namespace artisketch {
 namespace {
 
@@ -280,9 +282,7 @@ std::string in_quotes(std::string_view text) {
 std::string in_words(const Json& value) {
   if (value.is_string()) return in_quotes(value.get_ref<const std::string&>());
   if (value.is_object()) return "an object";
-  if (value.is_array())
-    return "an array of " + std::to_string(value.size()) +
-           (value.size() == 1 ? " value" : " values");
+  if (value.is_array()) return "an array of " + counted(value.size(), "value");
   return scalar_text(value);
 }
 

@@ -77,26 +77,41 @@ std::string stl_bytes(const Model& model) {
   return out;
 }
 
-std::string ply_bytes(const Model& model) {
-  const Mesh mesh = welded(model.mesh);
-  const bool coloured = model.texture && !model.texcoords.empty();
+namespace {
+
+using Colour = std::array<std::uint8_t, 3>;
+
+// colours: one per vertex, or none.
+std::string ply_of(const Mesh& mesh, const std::vector<Colour>& colours) {
   std::string out = std::string("ply\nformat binary_little_endian 1.0\ncomment ") + kProgram +
                     "\nelement vertex " + std::to_string(mesh.V.rows()) +
                     "\nproperty float x\nproperty float y\nproperty float z\n";
-  if (coloured) out += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  if (!colours.empty()) out += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   out += "element face " + std::to_string(mesh.F.rows()) +
          "\nproperty list uchar int vertex_indices\nend_header\n";
-  const std::vector<int> first = coloured ? first_of(model.mesh, mesh) : std::vector<int>();
   for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
     append_vector(out, mesh.V.row(v).transpose());
-    if (!coloured) continue;
-    for (const std::uint8_t c : colour_at(model, first[v])) append(out, c);
+    if (!colours.empty()) append(out, colours[v]);
   }
   for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
     append(out, std::uint8_t(3));
     for (int k = 0; k < 3; ++k) append(out, std::int32_t(mesh.F(f, k)));
   }
   return out;
+}
+
+}  // namespace
+
+std::string ply_bytes(const Model& model) {
+  const Mesh mesh = welded(model.mesh);
+  std::vector<Colour> colours;
+  if (model.texture && !model.texcoords.empty())
+    for (const int v : first_of(model.mesh, mesh)) colours.push_back(colour_at(model, v));
+  return ply_of(mesh, colours);
+}
+
+std::string ply_bytes(const Mesh& mesh) {
+  return ply_of(mesh, {});
 }
 
 std::string model_ending(const std::string& path) {

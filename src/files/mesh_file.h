@@ -18,6 +18,8 @@ std::string stl_bytes(const Model& model);
 // PLY, binary_little_endian: x, y, z in single precision, with red, green, blue where the model has
 // a texture; faces as lists of int.
 std::string ply_bytes(const Model& model);
+// The same of a mesh as it is, plain.
+std::string ply_bytes(const Mesh& mesh);
 
 // What the ending of `path` asks for (.glb, .obj, .stl, .ply, in any case); empty where none does.
 std::string model_ending(const std::string& path);

@@ -32,10 +32,7 @@ Ray PartView::ray(const Vec2& pixel) const {
 }
 
 PolygonDistance outline_of(const std::vector<Polyline>& contours) {
-  std::vector<std::vector<Vec2>> closed;
-  for (const Polyline& line : contours)
-    if (line.closed) closed.push_back(line.points);
-  return PolygonDistance(closed);
+  return PolygonDistance(closed_polygons(contours));
 }
 
 std::vector<Part> parts_of(const Document& document) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/blocking.h"
+#include "base/words.h"
 #include "model/rig/snap_rims.h"
 #include "model/stage_clock.h"
 #include "model/stages.h"
@@ -38,7 +39,7 @@ void name_specks(const Document& document, const std::vector<Part>& parts,
 void name_missed_triangles(int made, int wanted, std::vector<std::string>& warnings) {
   constexpr double kNear = 0.02;
   if (std::abs(made - wanted) <= kNear * wanted) return;
-  warnings.push_back("the model has " + std::to_string(made) + " triangles, not " +
+  warnings.push_back("the model has " + counted(made, "triangle") + ", not " +
                      std::to_string(wanted) +
                      (made > wanted ? ": with fewer its surface would fold"
                                     : ": its surface has no more to show"));
@@ -60,6 +61,19 @@ void warn_of_one_side(const Document& document, const std::vector<Part>& parts,
 }
 
 }  // namespace
+
+Method method_named(const std::string& name, Method otherwise) {
+  return name == "paper" ? Method::paper : name == "rays" ? Method::rays : otherwise;
+}
+
+PipelineOptions with_settings(PipelineOptions options, const DocumentSettings& settings) {
+  options.method = method_named(settings.method.value_or(""), options.method);
+  options.grid = settings.grid.value_or(options.grid);
+  options.triangles = settings.triangles.value_or(options.triangles);
+  options.mirror = settings.mirror.value_or(options.mirror);
+  options.texture = settings.texture.value_or(options.texture);
+  return options;
+}
 
 Result<Reconstruction> reconstruct(const Document& document, const PipelineOptions& options,
                                    Run& run) {
@@ -103,12 +117,14 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   Result<Mesh> mesh = consolidate(drawn, out.parts,
                                   {!options.visual_hull, options.triangles}, out.warnings, run);
   if (!mesh) return mesh.error();
+  if (run.trace) run.trace->add("skin", *mesh);
   const bool as_few_as_show = options.triangles == 0;
   *mesh = simplified(
       *mesh, options.triangles,
       as_few_as_show ? pixel_size(drawn) / 2 : std::numeric_limits<double>::infinity());
   if (!as_few_as_show) name_missed_triangles(int(mesh->F.rows()), options.triangles, out.warnings);
   stages.finish({{"vertices", double(mesh->V.rows())}, {"triangles", double(mesh->F.rows())}});
+  if (run.trace) run.trace->add("skin simplified", *mesh);
 
   stages.start("weights", 0.9, 0.95);
   Result<Weights> weights = skin(out.calibrated, out.parts, *mesh, run);
@@ -124,12 +140,15 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   out.model = {
       document.name,           document.skeleton, std::move(*mesh), std::move(*weights), {}, {},
       clips_of(out.calibrated)};
-  if (std::any_of(options.drawings.begin(), options.drawings.end(),
-                  [](const Image& drawing) { return !drawing.empty(); })) {
+  const auto& drawings = options.drawings;
+  if (options.texture && std::any_of(drawings.begin(), drawings.end(),
+                                     [](const Image& drawing) { return !drawing.empty(); })) {
     stages.start("texture", 0.95, 0.97);
-    std::vector<Picture> drawings;
-    for (const Picture& drawing : options.drawings) drawings.push_back(enlarged(drawing, scale));
-    Result<Model> model = textured(drawn, drawings, out.model, run);
+    std::vector<Image> larger;
+    if (scale > 1)
+      for (const Image& drawing : drawings) larger.push_back(enlarged(drawing, scale));
+    Result<Model> model =
+        textured(drawn, scale > 1 ? std::span<const Image>(larger) : drawings, out.model, run);
     if (!model) return model.error();
     out.model = std::move(*model);
     const double texels =

@@ -23,8 +23,8 @@ struct Progress {
 
 using Curves = std::vector<std::vector<Vec3>>;  // polylines in rest space
 
-// Named intermediate results, in the order they were made. The editor shows them, the command line
-// writes them; when something looks wrong, the answer should be here.
+// Named intermediate results, in the order they were made. `artisketch reconstruct --trace` writes
+// them; when something looks wrong, the answer should be here.
 struct Trace {
   struct Entry {
     std::string name;  // "forearm.L/hull"

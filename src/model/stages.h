@@ -27,6 +27,8 @@ enum class Method {
   rays,   // the same inputs and outputs by rays and interpolants (DESIGN of each stage in its file)
 };
 inline constexpr Method kDefaultMethod = Method::rays;
+// "paper" or "rays"; otherwise what is given.
+Method method_named(const std::string& name, Method otherwise);
 
 // ---------------------------------------------------------------- calibration (section 2)
 
@@ -123,14 +125,11 @@ struct PartSurface {
   std::vector<std::string> warnings;
 };
 
-// The grid that holds the visual hull of a part with a margin of two cells: `cells` along its
-// longest side. A part seen from one direction only is as deep as its narrow side is wide, about
-// its bone. Fails where no view has a closed contour.
-Result<Grid3<float>> part_grid(const Part& part, int cells);
-
-// Visual hull (Laurentini 1994): the largest signed distance over the views, on part_grid's grid.
-// A part that its views leave nothing of gets their consensus, and a warning: the hull of the
-// contours widened until they meet.
+// Visual hull (Laurentini 1994): the largest signed distance over the views, on a grid that holds
+// it with a margin of two cells: `cells` along its longest side. A part seen from one direction
+// only is as deep as its narrow side is wide, about its bone. A part that its views leave nothing
+// of gets their consensus, and a warning: the hull of the contours widened until they meet. Fails
+// where no view has a closed contour.
 Result<Grid3<float>> visual_hull(const Part& part, int cells, std::vector<std::string>& warnings,
                                  Run& run);
 
@@ -248,10 +247,14 @@ struct PipelineOptions {
   bool visual_hull = false;  // plain hulls of the parts, united without blending
   int triangles = 15000;     // of the model; 0: as few as half a pixel allows
   bool mirror = true;        // joints see their mirror images' contours, where these agree
+  bool texture = true;       // colour the model with the drawings
   // Decoded, to colour the model with: one per frame, empty where it has none; without any the
   // model stays plain. Not copied: they must outlive the run.
   std::span<const Image> drawings;
 };
+
+// The options as the document's settings have them, where they say anything.
+PipelineOptions with_settings(PipelineOptions options, const DocumentSettings& settings);
 
 struct StageTime {
   std::string stage;

@@ -123,6 +123,29 @@ TEST_F(CommandLine, TheOutputsEndingChoosesItsFormat) {
   EXPECT_EQ(read_file(path("c.ply"))->substr(0, 4), "ply\n");
 }
 
+TEST_F(CommandLine, ATraceShowsEachStepOfEitherMethod) {
+  for (const std::string method : {"paper", "rays"}) {
+    const std::string folder = path("trace-" + method);
+    ASSERT_EQ(run({"reconstruct", kCircles, "-o", path("c.glb"), "--grid", "16", "--method", method,
+                   "--trace", folder}),
+              0)
+        << err;
+    std::vector<std::string> names;
+    for (const auto& file : fs::directory_iterator(folder)) names.push_back(file.path().filename());
+    const auto any = [&](const std::string& part) {
+      return std::any_of(names.begin(), names.end(),
+                         [&](const std::string& name) { return name.find(part) != name.npos; });
+    };
+    EXPECT_TRUE(any("surface.ply") && any(".nrrd") && any("skin.ply")) << method;
+    EXPECT_EQ(any("rims.obj"), method == "paper");
+  }
+  // Once more into the same folder, and into none.
+  EXPECT_EQ(run({"reconstruct", kCircles, "-o", path("c.glb"), "--grid", "16", "--trace",
+                 path("trace-rays")}),
+            0);
+  EXPECT_EQ(run({"reconstruct", kCircles, "-o", path("c.glb"), "--trace", path("none/trace")}), 3);
+}
+
 TEST_F(CommandLine, AMissingFileAndAMissingFolderAreToldApart) {
   EXPECT_EQ(run({"reconstruct", path("none.artisketch"), "-o", path("x.glb")}), 1);
   EXPECT_EQ(run({"reconstruct", kCircles, "-o", path("none/x.glb")}), 3);

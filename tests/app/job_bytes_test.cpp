@@ -35,6 +35,7 @@ TEST(JobBytes, RequestSurvives) {
   request.options.visual_hull = true;
   request.options.triangles = 1234;
   request.options.mirror = false;
+  request.options.texture = false;
   const auto back = read_job_request(job_bytes(request));
   ASSERT_TRUE(back);
   EXPECT_EQ(back->kind, request.kind);
@@ -45,6 +46,7 @@ TEST(JobBytes, RequestSurvives) {
   EXPECT_TRUE(back->options.visual_hull);
   EXPECT_EQ(back->options.triangles, 1234);
   EXPECT_FALSE(back->options.mirror);
+  EXPECT_FALSE(back->options.texture);
 }
 
 TEST(JobBytes, PartsOfARequestSurvive) {

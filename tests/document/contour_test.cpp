@@ -118,6 +118,17 @@ TEST(Contour, ResamplingKeepsLengthAndEnds) {
     EXPECT_LE((fine.points[i + 1] - fine.points[i]).norm(), 0.7 + 1e-9);
 }
 
+TEST(Contour, AHoleIsOutsideAndAnOpenLineBoundsNothing) {
+  std::vector<Polyline> lines = {box(0, 0, 10, 10), box(5, 0.5, 4, 9)};
+  EXPECT_TRUE(contains(lines, {2, 5}));
+  EXPECT_FALSE(contains(lines, {7, 5}));
+  EXPECT_FALSE(contains(lines, {12, 5}));
+  EXPECT_EQ(closed_polygons(lines).size(), 2u);
+  lines[1].closed = false;
+  EXPECT_TRUE(contains(lines, {7, 5}));
+  EXPECT_EQ(closed_polygons(lines).size(), 1u);
+}
+
 TEST(Contour, CentroidCountsHolesOut) {
   const std::vector<Polyline> lines = {box(0, 0, 10, 10), box(5, 0.5, 4, 9)};
   const Vec2 expected = (Vec2(5, 5) * 100 - Vec2(7, 5) * 36) / 64;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "base/golden_section.h"
 #include "figures/solid.h"
 
 namespace artisketch::figures {
@@ -12,23 +13,6 @@ namespace {
 
 constexpr double kStep = 2;  // pixels between samples
 constexpr int kBlock = 6;    // samples along a block that is skipped or sampled as a whole
-
-// Least of a function with one valley between a and b.
-template <class F>
-double least_between(double a, double b, const F& f) {
-  constexpr double kGolden = 0.6180339887498949;
-  double x1 = b - kGolden * (b - a), x2 = a + kGolden * (b - a), f1 = f(x1), f2 = f(x2);
-  for (int i = 0; i < 10; ++i) {  // an error of 1 % in the place hardly shows in the value
-    if (f1 < f2) {
-      b = x2, x2 = x1, f2 = f1;
-      f1 = f(x1 = b - kGolden * (b - a));
-    } else {
-      a = x1, x1 = x2, f1 = f2;
-      f2 = f(x2 = a + kGolden * (b - a));
-    }
-  }
-  return std::min(f1, f2);
-}
 
 struct Sight {
   Sight(const Solid& solid, const Transform& to_world, const FrameCamera& camera)
@@ -70,13 +54,14 @@ struct Sight {
     const double half = std::sqrt(ball.radius * ball.radius - away * away);
     const auto f = [&](double t) { return blended(near, solid.blend, r.at(t)); };
     const double shortest = ball.radius / 30;
+    constexpr int kSteps = 10;  // an error of 1 % in the place hardly shows in the value
     // The last three samples: a middle one below both others brackets a valley.
     double t0 = middle - half, f0 = f(t0), t1 = t0, f1 = f0;
     for (double t = t0; t < middle + half;) {
       t = std::min(t + std::max(0.7 * std::abs(f1), shortest), middle + half);
       const double now = f(t);
       if (f1 <= f0 && f1 <= now && f1 < best + shortest)
-        best = std::min(best, least_between(t0, t, f));
+        best = std::min(best, golden_section(t0, t, kSteps, f).value);
       best = std::min(best, now);
       t0 = t1, f0 = f1, t1 = t, f1 = now;
     }

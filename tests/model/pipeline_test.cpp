@@ -77,6 +77,25 @@ TEST_P(Pipeline, TheHerosSilhouettesFit) {
   for (const FrameFit& fit : result->fits) EXPECT_GE(fit.iou, fits);
 }
 
+TEST(Pipeline, TheDocumentsSettingsStandOverTheDefaultsWhereTheySayAnything) {
+  PipelineOptions usual;
+  usual.grid = 64;
+  EXPECT_EQ(with_settings(usual, {}).grid, 64);
+  EXPECT_EQ(with_settings(usual, {}).method, kDefaultMethod);
+  DocumentSettings settings;
+  settings.grid = 32;
+  settings.method = "paper";
+  settings.mirror = false;
+  settings.triangles = 500;
+  settings.texture = false;
+  const PipelineOptions options = with_settings(usual, settings);
+  EXPECT_EQ(options.grid, 32);
+  EXPECT_EQ(options.method, Method::paper);
+  EXPECT_FALSE(options.mirror);
+  EXPECT_EQ(options.triangles, 500);
+  EXPECT_FALSE(options.texture);
+}
+
 TEST(Pipeline, IsDeterministic) {
   PipelineOptions options;
   options.grid = 32;

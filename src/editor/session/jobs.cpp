@@ -14,11 +14,8 @@ void start_job(App& app, JobRequest::Kind kind) {
   JobRequest request;
   request.kind = kind;
   request.document = document_text(app.services.drawings.whole(app.document()));
-  request.options.grid =
-      app.document().settings.grid.value_or(app.services.platform.default_grid());
-  if (app.document().settings.triangles)
-    request.options.triangles = *app.document().settings.triangles;
-  if (app.document().settings.mirror) request.options.mirror = *app.document().settings.mirror;
+  request.options.grid = app.services.platform.default_grid();
+  request.options = with_settings(request.options, app.document().settings);
   app.session.job = RunningJob{kind, app.session.history.revision(), app.document()};
   // Whoever starts a job from the welcome goes on with its document.
   if (app.view.welcome) perform(app, "mode_result");

@@ -11,6 +11,7 @@
 
 #include <Eigen/Dense>
 
+#include "base/golden_section.h"
 #include "model/calibrate/calibrate.h"
 #include "model/calibrate/euler_solver.h"
 #include "model/calibrate/ray_voxels.h"
@@ -61,15 +62,10 @@ std::vector<std::vector<int>> voxels_of(const VoxelCube& cube, const Sight& sigh
 // The intersection centroid: the point nearest to the rays through the contours' centroids, which
 // the part's voxels are laid around.
 Vec3 intersection_centroid(const std::vector<const PartView*>& views, const Vec3& joint) {
-  Mat3 A = 1e-3 * Mat3::Identity();
-  Vec3 b = 1e-3 * joint;
-  for (const PartView* view : views) {
-    const Ray ray = view->ray(centroid(view->contours));
-    const Mat3 across = Mat3::Identity() - ray.direction * ray.direction.transpose();
-    A += across;
-    b += across * ray.origin;
-  }
-  return A.ldlt().solve(b);
+  constexpr double kToJoint = 1e-3;  // parallel rays leave the depth to the joint
+  NearestToRays nearest(joint, kToJoint);
+  for (const PartView* view : views) nearest.add(view->ray(centroid(view->contours)));
+  return nearest.point();
 }
 
 // The parts that the newest frame shares with earlier ones, their rays through `side`³ voxels.
@@ -208,25 +204,9 @@ Pose dollied(const Document& document, std::vector<PartRays>& parts,
     pose_newest(parts, document.skeleton, moved(z));
     return match(parts, hits, 3).energy;
   };
-  const double golden = (std::sqrt(5.0) - 1) / 2;
-  double low = -span, high = span;
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  double at_a = energy(a), at_b = energy(b);
-  for (int i = 0; i < 7; ++i) {
-    if (at_a <= at_b) {
-      high = b;
-      b = a;
-      at_b = at_a;
-      at_a = energy(a = high - golden * (high - low));
-    } else {
-      low = a;
-      a = b;
-      at_a = at_b;
-      at_b = energy(b = low + golden * (high - low));
-    }
-  }
-  const double best = at_a <= at_b ? a : b;
-  return std::min(at_a, at_b) < energy(0) ? moved(best) : pose;
+  constexpr int kSteps = 7;
+  const Minimum best = golden_section(-span, span, kSteps, energy);
+  return best.value < energy(0) ? moved(best.at) : pose;
 }
 
 struct Refined {

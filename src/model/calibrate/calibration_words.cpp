@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include "base/words.h"
+
 namespace artisketch {
 namespace {
 
@@ -207,7 +209,7 @@ void name_open_angles(const Document& document, const RayResiduals& rays, Calibr
                                    : key.second == Turn::swing
                                        ? "swing" + of + " toward the camera or away"
                                        : "turn" + of + " in the picture") +
-                                  (frames.size() == 1 ? ", frame " : ", frames ") + listed(frames));
+                                  ", " + plural(frames.size(), "frame") + " " + listed(frames));
   }
 }
 

@@ -39,15 +39,12 @@ RayResiduals::View view_of(const Document& document, int frame, int joint, doubl
   RayResiduals::View view;
   view.frame = frame;
   const std::vector<Polyline> lines = contours_of(document.frames[frame], joint);
-  std::vector<std::vector<Vec2>> closed;
   double total = 0, area = 0;
   for (const Polyline& line : lines) {
     total += length(line);
-    if (!line.closed) continue;
-    closed.push_back(line.points);
-    area += std::abs(signed_area(line));
+    if (line.closed) area += std::abs(signed_area(line));
   }
-  const PolygonDistance exact(closed);
+  const PolygonDistance exact(closed_polygons(lines));
   const double margin = kMargin * unit;
   const double widest = exact.box().sizes().maxCoeff() + 2 * margin;
   view.outline = std::make_shared<const SampledDistance>(
@@ -153,17 +150,13 @@ RayResiduals::RayResiduals(const Document& document, double step, int most) {
 }
 
 Vec3 RayResiduals::Part::middle(const Placement& placement) const {
-  Mat3 A = kMiddleToBone * Mat3::Identity();
-  Vec3 b = kMiddleToBone * bone;
+  NearestToRays nearest(bone, kMiddleToBone);
   for (const View& view : views) {
     const Transform& to_world = placement.posed[view.frame][joint];
     const Ray ray = placement.cameras[view.frame].ray(view.centroid);
-    const Vec3 d = to_world.linear().transpose() * ray.direction;
-    const Mat3 across = Mat3::Identity() - d * d.transpose();
-    A += across;
-    b += across * (to_world.inverse() * ray.origin);
+    nearest.add({to_world.inverse() * ray.origin, to_world.linear().transpose() * ray.direction});
   }
-  return A.inverse() * b;
+  return nearest.point();
 }
 
 RayResiduals RayResiduals::thinned(int most) const {

@@ -8,6 +8,7 @@
 
 #include "base/self_intersection.h"
 #include "base/well_composed.h"
+#include "base/words.h"
 #include "model/consolidate/bridge_parts.h"
 #include "model/consolidate/close_gaps.h"
 #include "model/consolidate/fair.h"
@@ -297,8 +298,8 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
   back_to_lattice(lattice, skin);
   unfold(skin);
   if (const int left = resolve_self_intersections(skin); left > 0)
-    warnings.push_back("the surface passes through itself in " + std::to_string(left) +
-                       " places where parts crowd together");
+    warnings.push_back("the surface passes through itself in " + counted(left, "place") +
+                       " where parts crowd together");
   run.report(1);
   return skin;
 }

@@ -120,14 +120,12 @@ std::vector<FrameFit> measure_fit(const Document& calibrated, const Model& model
 std::vector<double> view_distances(const Part& part, const Mesh& mesh) {
   std::vector<double> distances;
   for (const PartView& view : part.views) {
-    Polygons contours;
-    for (const Polyline& line : view.contours)
-      if (line.closed) contours.push_back(line.points);
     // What lies farther off than this is off by far, wherever it ends.
     const Vec2 reach = Vec2::Constant(view.seen() ? view.outline.box().diagonal().norm() : 0);
     const Box2 room(view.outline.box().min() - reach, view.outline.box().max() + reach);
-    distances.push_back(contour_distance(
-        contours, projected(moved(mesh.V, view.to_world), view.camera), mesh.F, room, 0.5));
+    distances.push_back(contour_distance(closed_polygons(view.contours),
+                                         projected(moved(mesh.V, view.to_world), view.camera),
+                                         mesh.F, room, 0.5));
   }
   return distances;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/golden_section.h"
 #include "model/surface/ray_rims.h"
 
 namespace artisketch {
@@ -57,26 +58,10 @@ Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Bo
   double least = *nearest;
   double at = std::isinf(least) ? middle : first + step * double(nearest - along.begin());
   if (least <= enough) return {least, ray.at(at)};
-  // Golden section around the best sample.
-  constexpr double kGolden = 0.61803398874989485;
-  double low = at - step, high = at + step;
-  double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-  double at_a = outside(a), at_b = outside(b);
-  for (int i = 0; i < 12; ++i)
-    if (at_a < at_b) {
-      high = b;
-      b = a, at_b = at_a;
-      a = high - kGolden * (high - low), at_a = outside(a);
-    } else {
-      low = a;
-      a = b, at_a = at_b;
-      b = low + kGolden * (high - low), at_b = outside(b);
-    }
-  if (const double middle_depth = (low + high) / 2; outside(middle_depth) < least) {
-    at = middle_depth;
-    least = outside(at);
-  }
-  return {least, ray.at(at)};
+  constexpr int kCloser = 12;  // steps about the best sample
+  const Minimum found = golden_section(at - step, at + step, kCloser, outside);
+  const double closer = (found.low + found.high) / 2, there = outside(closer);
+  return there < least ? Miss{there, ray.at(closer)} : Miss{least, ray.at(at)};
 }
 
 double coverage(const Silhouette& outline, const std::vector<const Silhouette*>& others,

@@ -16,13 +16,6 @@ Vec3 middle_of_bones(const Part& part) {
   return sum / double(part.bones.size());
 }
 
-std::vector<std::vector<Vec2>> closed_lines(const PartView& view) {
-  std::vector<std::vector<Vec2>> closed;
-  for (const Polyline& line : view.contours)
-    if (line.closed) closed.push_back(line.points);
-  return closed;
-}
-
 // Half the outline's width across its narrow side, in pixels: the extent of its points along the
 // axis of their least deviation.
 double narrow_half_width(const PartView& view) {
@@ -191,7 +184,7 @@ double widest_spread(const Part& part) {
 Silhouette::Silhouette(const PartView& view, int cells) : view(&view) {
   const double longest = std::max(view.outline.box().sizes().maxCoeff(), 1e-6);
   const double step = longest / (2.0 * cells);  // half a cell: what the grid can show, and no more
-  raster = DistanceRaster(closed_lines(view), step, 6 * step);
+  raster = DistanceRaster(closed_polygons(view.contours), step, 6 * step);
   direction = direction_of(view);
 }
 

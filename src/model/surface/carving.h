@@ -76,8 +76,8 @@ Result<Carving> carving_of(const Part& part, int cells);
 // The part's carving with the outlines of further views beside its own.
 void add_views(const Part& part, std::span<const PartView> views, int cells, Carving& carving);
 
-// part_grid and visual_hull of stages.h for a carving. Distances of up to about `band` cells are
-// true; beyond, the sign is, and the value lies beyond `band`.
+// The grid of visual_hull in stages.h, and the hull on it. Distances of up to about `band` cells
+// are true; beyond, the sign is, and the value lies beyond `band`.
 Result<Grid3<float>> carving_grid(const Carving& carving, int cells);
 Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double band = 4);
 

@@ -30,6 +30,10 @@ Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options
   out.mesh = std::move(*mesh);
   const float deepest = -kDeepest * float(out.distance.cell);
   for (float& v : out.distance.values) v = std::max(v, deepest);
+  if (run.trace) {
+    run.trace->add(part.name + "/distance", out.distance);
+    run.trace->add(part.name + "/surface", out.mesh);
+  }
   return out;
 }
 

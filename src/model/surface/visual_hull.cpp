@@ -1,13 +1,7 @@
-// The visual hull of a part (Laurentini 1994), and the grid it lives on.
+// The visual hull of a part (Laurentini 1994).
 #include "model/surface/carving.h"
 
 namespace artisketch {
-
-Result<Grid3<float>> part_grid(const Part& part, int cells) {
-  const Result<Carving> carving = carving_of(part, cells);
-  if (!carving) return carving.error();
-  return carving_grid(*carving, cells);
-}
 
 Result<Grid3<float>> visual_hull(const Part& part, int cells, std::vector<std::string>& warnings,
                                  Run& run) {

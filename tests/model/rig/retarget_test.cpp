@@ -74,7 +74,7 @@ TEST(Retarget, EqualNamesBelongTogetherWhateverTheirCase) {
   EXPECT_LT(clip->poses[2].rotations[1].angularDistance(Quat::Identity()), 1e-9);
 }
 
-TEST(Retarget, AMotionOfStrangersSaysHowToMapIt) {
+TEST(Retarget, AMotionOfUnknownNamesSaysHowToMapThem) {
   Document document = figure();
   Motion source = motion();
   for (Joint& joint : source.skeleton.joints) joint.name = "mixamorig:" + joint.name;

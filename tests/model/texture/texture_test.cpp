@@ -175,7 +175,7 @@ TEST(Texture, DarkPlacesOfACutOutFigureStay) {
   Polyline outline = circle(1);
   for (Vec2& p : outline.points) p.x() = kSize / 2.0 + kThin * (p.x() - kSize / 2.0);
   document.frames[0].contours = {{0, outline, ""}};
-  Picture drawing{kSize, kSize, std::vector<unsigned char>(4 * kSize * kSize, 0)};
+  Image drawing(kSize, kSize, 0);
   for (int y = 0; y < kSize; ++y)
     for (int x = 0; x < kSize; ++x) {
       const Vec2 p = Vec2(x + 0.5, y + 0.5) - Vec2::Constant(kSize / 2.0);
@@ -183,7 +183,7 @@ TEST(Texture, DarkPlacesOfACutOutFigureStay) {
         return p.cwiseQuotient(Vec2(kThin * kScale + more, kScale + more)).norm() < 1;
       };
       const Colour c = !within(0) ? kInk : p.y() > 0 ? kDark : kRed;
-      unsigned char* to = &drawing.rgba[4 * (y * kSize + x)];
+      std::uint8_t* to = drawing.at(x, y);
       to[0] = c.r, to[1] = c.g, to[2] = c.b, to[3] = within(kLine) ? 255 : 0;
     }
   const Model model = painted(document, {drawing}, leg);
