@@ -4,7 +4,22 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numeric>
+
+namespace {
+
+// In place of qsort, which orders what is alike differently from one system's library to another's:
+// the same document is to give the same model everywhere.
+template <class T>
+void sort_stably(T* all, int count, std::size_t, int (*compare)(const void*, const void*)) {
+  std::stable_sort(all, all + count, [=](const T& a, const T& b) { return compare(&a, &b) < 0; });
+}
+
+}  // namespace
+
+#define STB_RECT_PACK_IMPLEMENTATION
+#define STBRP_STATIC
+#define STBRP_SORT sort_stably
+#include <stb/stb_rect_pack.h>
 
 namespace artisketch {
 namespace {
@@ -52,26 +67,27 @@ std::vector<Chart> charts_of(const Mesh& mesh, const FaceNeighbours& neighbours,
   return charts;
 }
 
-// Shelves, highest charts first. Places every chart; the picture's height.
+// Places every chart; the picture's height. Source: the skyline heuristic of Jylänki 2010.
 int pack(std::vector<Chart>& charts, int width) {
-  std::vector<int> order(charts.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return charts[a].box.sizes().y() > charts[b].box.sizes().y();
-  });
-  int x = 0, y = 0, shelf = 0;
-  for (const int c : order) {
+  std::vector<stbrp_rect> rects;
+  double highest = 0;
+  for (std::size_t c = 0; c < charts.size(); ++c) {
     const Vec2 size = charts[c].box.sizes() + Vec2::Constant(2 * kGutter);
-    if (x > 0 && x + size.x() > width) {
-      x = 0;
-      y += shelf;
-      shelf = 0;
-    }
-    charts[c].corner = Vec2(x + kGutter, y + kGutter);
-    x += int(size.x());
-    shelf = std::max(shelf, int(size.y()));
+    rects.push_back({int(c), int(size.x()), int(size.y()), 0, 0, 0});
+    highest = std::max(highest, size.y());
   }
-  return y + shelf;
+  // All in one column would fit into so much.
+  stbrp_context context;
+  std::vector<stbrp_node> nodes(width);
+  const double enough = std::min(1e9, highest * double(charts.size()) + 1);
+  stbrp_init_target(&context, width, int(enough), nodes.data(), width);
+  stbrp_pack_rects(&context, rects.data(), int(rects.size()));
+  int height = 0;
+  for (const stbrp_rect& rect : rects) {
+    charts[rect.id].corner = Vec2(rect.x + kGutter, rect.y + kGutter);
+    height = std::max(height, rect.y + rect.h);
+  }
+  return height;
 }
 
 int power_of_two(int least) {
