@@ -1,16 +1,11 @@
 # The editor: one library for the window and the page, on Dear ImGui, SDL2 and OpenGL ES 3 (WebGL2).
 # It is built when asked for (`./dev edit`) or tested, and only where its needs are met: Dear ImGui's sources
-# (./dev fetches Debian's), SDL2, the two fonts and fontTools to subset them.
+# (./dev fetches Debian's), SDL2 and the icons' font.
 
 set(ARTISKETCH_IMGUI_SOURCE "${PROJECT_SOURCE_DIR}/build/sources/imgui"
     CACHE PATH "Folder of Dear ImGui's sources, 1.90")
-set(ARTISKETCH_INTER_DIR "/usr/share/fonts/opentype/inter" CACHE PATH "Folder of Inter-*.otf")
 set(ARTISKETCH_ICONS_DIR "/usr/share/fonts/truetype/materialdesignicons-webfont"
     CACHE PATH "Folder of materialdesignicons-webfont.ttf")
-# Debian's Python holds Debian's fontTools, whichever Python comes first on the PATH.
-find_program(ARTISKETCH_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH
-             DOC "Python with fontTools")
-find_program(ARTISKETCH_PYTHON NAMES python3)
 
 if(NOT ARTISKETCH_EDITOR)
   return()
@@ -22,7 +17,7 @@ else()
   set(without FATAL_ERROR)
 endif()
 find_package(SDL2 QUIET)
-foreach(need IN ITEMS "${ARTISKETCH_IMGUI_SOURCE}/imgui.cpp" "${ARTISKETCH_INTER_DIR}/Inter-Regular.otf"
+foreach(need IN ITEMS "${ARTISKETCH_IMGUI_SOURCE}/imgui.cpp"
         "${ARTISKETCH_ICONS_DIR}/materialdesignicons-webfont.ttf")
   if(NOT EXISTS "${need}")
     message(${without} "No editor: ${need} was not found")
@@ -47,28 +42,7 @@ target_compile_definitions(artisketch_imgui PUBLIC
   IMGUI_DISABLE_OBSOLETE_FUNCTIONS IMGUI_DISABLE_DEMO_WINDOWS
   IMGUI_DISABLE_DEBUG_TOOLS IMGUI_DISABLE_DEFAULT_FONT ImDrawIdx=unsigned)
 
-# ---------------------------------------------------------------- fonts
-
-# Subsets `input` to `unicodes` and embeds it as embedded::NAME. Dear ImGui neither kerns nor hints,
-# so what serves only that goes too.
-set(embedded "${PROJECT_BINARY_DIR}/embedded")
-file(MAKE_DIRECTORY "${embedded}")
-function(artisketch_embedded_font name input unicodes)
-  cmake_path(GET input EXTENSION extension)
-  set(subset "${embedded}/${name}${extension}")
-  add_custom_command(OUTPUT "${embedded}/${name}.cpp" VERBATIM
-    COMMAND "${ARTISKETCH_PYTHON}" -m fontTools.subset "${input}" "--output-file=${subset}"
-            "--unicodes=${unicodes}" --layout-features= --no-hinting --desubroutinize
-            --name-IDs= --drop-tables+=GPOS,GSUB,GDEF,BASE,STAT,DSIG
-    COMMAND "${CMAKE_COMMAND}" "-DINPUT=${subset}" "-DOUTPUT=${embedded}/${name}.cpp"
-            -DNAME=${name} -P "${PROJECT_SOURCE_DIR}/cmake/EmbedFile.cmake"
-    DEPENDS "${input}" "${PROJECT_SOURCE_DIR}/cmake/EmbedFile.cmake" COMMENT "Subsetting ${name}")
-endfunction()
-
-# Latin with its accents, Greek, Cyrillic; the punctuation and signs that the editor's words use.
-set(letters "U+20-7E,U+A0-17F,U+386-3CE,U+400-45F,U+2010-2026,U+2030,U+20AC,U+2190-2193,U+2212,U+2318,U+21E7")
-artisketch_embedded_font(kInterRegular "${ARTISKETCH_INTER_DIR}/Inter-Regular.otf" "${letters}")
-artisketch_embedded_font(kInterSemiBold "${ARTISKETCH_INTER_DIR}/Inter-SemiBold.otf" "${letters}")
+# ---------------------------------------------------------------- icons
 
 # icons.h is the list of the icons in use.
 file(STRINGS "${PROJECT_SOURCE_DIR}/src/editor/ui/icons.h" icons REGEX "// U\\+")
@@ -130,9 +104,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/shell/welcome.cpp
   src/editor/editor.cpp
   src/editor/introspection.cpp
-  "${embedded}/kInterRegular.cpp"
-  "${embedded}/kInterSemiBold.cpp"
-  "${embedded}/kIcons.cpp"
+  "${ARTISKETCH_EMBEDDED}/kIcons.cpp"
 )
 target_link_libraries(artisketch_editor PUBLIC artisketch_core artisketch_imgui
                       PRIVATE artisketch_warnings)

@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+
+#define STB_IMAGE_RESIZE_IMPLEMENTATION
+#define STB_IMAGE_RESIZE_STATIC
+#include <stb/stb_image_resize.h>
 
 #include "base/raster.h"
 
@@ -164,65 +169,18 @@ void draw_image(Image& image, const Image& picture, int x, int y, double opacity
     }
 }
 
-namespace {
-
-// The source pixels that each of `to` pixels draws on, and how much: n weights from `first` on.
-struct Taps {
-  int first = 0;
-  std::vector<float> weights;
-};
-std::vector<Taps> taps(int from, int to) {
-  const double step = double(from) / to, reach = std::max(step, 1.0) / 2;
-  std::vector<Taps> all(to);
-  for (int i = 0; i < to; ++i) {
-    const double centre = (i + 0.5) * step;
-    // Shrinking: the overlap of pixel and footprint; growing: that of two pixels, which is the
-    // bilinear weight.
-    const int first = std::max(int(std::floor(centre - reach)), 0);
-    const int last = std::min(int(std::ceil(centre + reach)), from) - 1;
-    double sum = 0;
-    all[i].first = std::min(first, from - 1);
-    for (int k = all[i].first; k <= std::max(last, all[i].first); ++k) {
-      const double overlap =
-          std::max(std::min(k + 1.0, centre + reach) - std::max(double(k), centre - reach), 0.0);
-      all[i].weights.push_back(float(overlap));
-      sum += overlap;
-    }
-    for (float& w : all[i].weights) w = sum > 0 ? float(w / sum) : 1.0f / all[i].weights.size();
-  }
-  return all;
-}
-
-}  // namespace
-
 Image resized(const Image& image, int width, int height) {
   if (image.width <= 0 || image.height <= 0 || width <= 0 || height <= 0) return {};
-  const std::vector<Taps> across = taps(image.width, width), down = taps(image.height, height);
-  // Premultiplied, so that the colour of what is clear doesn't bleed in.
-  std::vector<float> rows(std::size_t(image.height) * width * 4, 0.0f);
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < width; ++x) {
-      float* sum = &rows[4 * (std::size_t(y) * width + x)];
-      for (std::size_t k = 0; k < across[x].weights.size(); ++k) {
-        const std::uint8_t* p = image.at(across[x].first + int(k), y);
-        const float a = across[x].weights[k] * p[3];
-        for (int c = 0; c < 3; ++c) sum[c] += a * p[c];
-        sum[3] += a;
-      }
-    }
+  const auto filter = [](int from, int to) {
+    return to < from ? STBIR_FILTER_BOX : STBIR_FILTER_TRIANGLE;
+  };
   Image out(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      float sum[4] = {};
-      for (std::size_t k = 0; k < down[y].weights.size(); ++k)
-        for (int c = 0; c < 4; ++c)
-          sum[c] +=
-              down[y].weights[k] * rows[4 * (std::size_t(down[y].first + int(k)) * width + x) + c];
-      std::uint8_t* p = out.at(x, y);
-      for (int c = 0; c < 3; ++c)
-        p[c] = sum[3] > 0 ? std::uint8_t(std::min(sum[c] / sum[3] + 0.5f, 255.0f)) : 0;
-      p[3] = std::uint8_t(std::min(sum[3] + 0.5f, 255.0f));
-    }
+  constexpr int kChannels = 4, kAlpha = 3, kPacked = 0, kStraightAlpha = 0;
+  if (!stbir_resize(image.rgba.data(), image.width, image.height, kPacked, out.rgba.data(), width,
+                    height, kPacked, STBIR_TYPE_UINT8, kChannels, kAlpha, kStraightAlpha,
+                    STBIR_EDGE_CLAMP, STBIR_EDGE_CLAMP, filter(image.width, width),
+                    filter(image.height, height), STBIR_COLORSPACE_LINEAR, nullptr))
+    throw std::bad_alloc();  // its only failure
   return out;
 }
 

@@ -53,8 +53,8 @@ struct Lettering {
   bool bold = false;
 };
 
-// The width in pixels that a UTF-8 text takes. Characters beyond Latin-1
-// show as boxes.
+// The width in pixels that a UTF-8 text takes, set in Inter: Latin, Greek and Cyrillic. Characters
+// that it lacks show as boxes.
 double text_width(std::string_view text, const Lettering& lettering);
 
 // Draws a text from its baseline's left end; returns where it ends.

@@ -113,6 +113,11 @@ TEST(Canvas, AccentsRideOnTheirLetters) {
   EXPECT_EQ(text_width("u", {}), text_width("\xC3\xBC", {}));
   for (int x = 0; x < 40; ++x) EXPECT_EQ(u.at(x, 22)[0], umlaut.at(x, 22)[0]);
   EXPECT_EQ(other.rgba, drawn("\xE2\x98\x83").rgba);  // boxes for what it cannot write
+  EXPECT_GT(ink(other), 20);
+  for (const char* written : {"\xCE\xA9", "\xD0\x96", "\xC5\x82"}) {  // Ω Ж ł
+    EXPECT_NE(drawn(written).rgba, other.rgba) << written;
+    EXPECT_GT(ink(drawn(written)), 20) << written;
+  }
 }
 
 TEST(Canvas, TextEndsWhereItsWidthSays) {
