@@ -129,7 +129,9 @@ bool is_jpeg(std::string_view bytes) {
 }
 
 std::optional<std::array<std::uint32_t, 2>> png_size(std::string_view bytes) {
-  if (!is_png(bytes) || bytes.substr(12, 4) != "IHDR") return std::nullopt;
+  constexpr std::size_t kHeader = 24;  // bytes, up to the size
+  if (bytes.size() < kHeader || !is_png(bytes) || bytes.substr(12, 4) != "IHDR")
+    return std::nullopt;
   return std::array{big_endian(bytes, 16, 4), big_endian(bytes, 20, 4)};
 }
 

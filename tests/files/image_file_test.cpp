@@ -356,6 +356,16 @@ TEST(ImageFile, AJpegWithATableOfTooManyCodesIsRefused) {
   EXPECT_FALSE(decode_image("\xff" + jpeg.substr(0, table) + segment + jpeg.substr(table), "x"));
 }
 
+TEST(ImageFile, APictureCutOffAnywhereIsReadOrRefused) {
+  const std::string png = png_bytes(checks(5, 4, 40)), jpeg = red_jpeg();
+  for (const std::string& whole : {png, jpeg})
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+      const Result<std::vector<Image>> read = decode_images(whole.substr(0, size), "x");
+      EXPECT_TRUE(!read || read->size() == 1) << size;
+      (void)colour_profile(whole.substr(0, size));
+    }
+}
+
 TEST(ImageFile, ASizeThatNobodyDrawsIsNamedNotDecoded) {
   const std::string png = png_bytes(checks(16, 16, 255));
   for (const char* side : {"\0\0\xea\x60", "\x7f\xff\xff\xff", "\xff\xff\xff\xff"}) {
