@@ -53,7 +53,7 @@ Pose fitted_rest_pose(const Document& document, const Frame& frame) {
   for (const Vec3& joint : joints) box.extend(joint);
   if (joints.empty()) return pose;
   // The middle of the figure at the image's principal point.
-  const Vec3 root = joints[0];
+  const Vec3& root = joints[0];
   pose.root_position = root - box.center();
   if (frame.principal_point) return pose;
   pose.root_position.z() = 0;
