@@ -51,9 +51,8 @@ void warn_of_one_side(const Document& document, const std::vector<Part>& parts,
   constexpr double kLittle = 0.25;  // sin² of 30°
   const auto drawn = std::count_if(document.frames.begin(), document.frames.end(),
                                    [](const Frame& f) { return !f.contours.empty(); });
-  const auto guessed = std::count_if(parts.begin(), parts.end(), [](const Part& part) {
-    return widest_spread(part) < kLittle;
-  });
+  const auto guessed = std::count_if(
+      parts.begin(), parts.end(), [](const Part& part) { return widest_spread(part) < kLittle; });
   if (drawn > 1 && 2 * guessed > std::ptrdiff_t(parts.size()))
     warnings.push_back(
         "the drawings show most parts from nearly the same side, or its opposite: how deep those "
@@ -114,14 +113,14 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   stages.finish({{"parts", double(parts.size())}, {"cells", cells}, {"vertices", part_vertices}});
 
   stages.start("one skin", 0.8, 0.9);
-  Result<Mesh> mesh = consolidate(drawn, out.parts,
-                                  {!options.visual_hull, options.triangles}, out.warnings, run);
+  Result<Mesh> mesh =
+      consolidate(drawn, out.parts, {!options.visual_hull, options.triangles}, out.warnings, run);
   if (!mesh) return mesh.error();
   if (run.trace) run.trace->add("skin", *mesh);
   const bool as_few_as_show = options.triangles == 0;
-  *mesh = simplified(
-      *mesh, options.triangles,
-      as_few_as_show ? pixel_size(drawn) / 2 : std::numeric_limits<double>::infinity());
+  *mesh =
+      simplified(*mesh, options.triangles,
+                 as_few_as_show ? pixel_size(drawn) / 2 : std::numeric_limits<double>::infinity());
   if (!as_few_as_show) name_missed_triangles(int(mesh->F.rows()), options.triangles, out.warnings);
   stages.finish({{"vertices", double(mesh->V.rows())}, {"triangles", double(mesh->F.rows())}});
   if (run.trace) run.trace->add("skin simplified", *mesh);

@@ -80,7 +80,8 @@ TEST(History, AnEditAfterUndoDropsWhatWasUndone) {
 }
 
 TEST(History, NoTwoHistoriesShareAName) {
-  // Results of a job are taken by it: one that was asked for by the document before is not this one's.
+  // Results of a job are taken by it: one that was asked for by the document before is not this
+  // one's.
   History one(figure()), other(figure());
   EXPECT_NE(one.revision(), other.revision());
   EXPECT_NE(one.state(), other.state());

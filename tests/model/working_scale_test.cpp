@@ -11,8 +11,7 @@ namespace {
 Document small_drawings() {
   const figures::Figure figure = figures::human(1);
   constexpr int kSize = 96;
-  const Camera camera =
-      figures::fitting_camera(figure, Camera::Type::orthographic, kSize, kSize);
+  const Camera camera = figures::fitting_camera(figure, Camera::Type::orthographic, kSize, kSize);
   return figures::draw(figure, figures::random_views(figure, 2, 1), camera, kSize, kSize).truth;
 }
 
@@ -51,8 +50,7 @@ TEST(WorkingScale, AnEnlargedDocumentShowsTheSameInMorePixels) {
   ASSERT_EQ(twice.height, 4);
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 6; ++x)
-      for (int c = 0; c < 4; ++c)
-        EXPECT_EQ(twice.at(x, y)[c], picture.at(x / 2, y / 2)[c]);
+      for (int c = 0; c < 4; ++c) EXPECT_EQ(twice.at(x, y)[c], picture.at(x / 2, y / 2)[c]);
 }
 
 // What is small is not worse: the model is that of the same drawings enlarged, with its colours.

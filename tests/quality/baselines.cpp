@@ -69,13 +69,13 @@ BaselineCell baseline_cell(int frames, double baseline, const BaselineOptions& o
     if (!made) continue;  // counts as nothing
     const FrameCamera still{sketches.truth.camera, Vec2(kWidth, kHeight) / 2, 1};
     for (const View& v : random_views(figure, kNovelPoses, std::uint64_t(seed) + 5000))
-      cell.novel += intersection_over_union(silhouette(figure, v.pose, still, kWidth, kHeight),
-                                            silhouette(made->model, v.pose, still, kWidth, kHeight)) /
-                    kNovelPoses / options.figures;
+      cell.novel +=
+          intersection_over_union(silhouette(figure, v.pose, still, kWidth, kHeight),
+                                  silhouette(made->model, v.pose, still, kWidth, kHeight)) /
+          kNovelPoses / options.figures;
     cell.volume += volume_iou(figure, made->model.mesh) / options.figures;
     double logs = 0;
-    const std::vector<double> ratios =
-        depths(figure, sketches.truth.frames[0].pose, made->parts);
+    const std::vector<double> ratios = depths(figure, sketches.truth.frames[0].pose, made->parts);
     for (const double ratio : ratios) {
       logs += std::log(ratio) / double(ratios.size());
       cell.deepest = std::max(cell.deepest, ratio);
@@ -93,8 +93,8 @@ void print_baselines(const BaselineOptions& options) {
     for (const double baseline : options.baselines) {
       if (frames == 1 && baseline != options.baselines[0]) continue;
       const BaselineCell c = baseline_cell(frames, baseline, options);
-      std::printf("%df %5g           | %.3f %.3f | %5.2f %6.2f\n", frames, baseline, c.novel, c.volume,
-                  c.depth, c.deepest);
+      std::printf("%df %5g           | %.3f %.3f | %5.2f %6.2f\n", frames, baseline, c.novel,
+                  c.volume, c.depth, c.deepest);
       std::fflush(stdout);
       if (frames == 1) continue;
       sum.novel += c.novel;

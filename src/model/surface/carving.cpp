@@ -283,8 +283,8 @@ void add_views(const Part& part, std::span<const PartView> views, int cells, Car
   carving.spread = widest(directions);
   constexpr double kPull = 0.1;  // a bone lies in its part, though seldom in its middle
   const Vec3 along = carving.views[0].direction;
-  carving.centre = carving.middle +
-                   along.dot(nearest_to_middles(carving, kPull) - carving.middle) * along;
+  carving.centre =
+      carving.middle + along.dot(nearest_to_middles(carving, kPull) - carving.middle) * along;
   carving.slab = slab_of(part, carving);
   carving.room = room_of(carving);
 }
@@ -386,7 +386,8 @@ void widen_until_they_meet(Carving& carving, std::vector<std::string>& warnings)
   warnings.push_back("'" + carving.name + "': its contours in frames " + frames +
                      " share no volume at these poses; they were widened by " +
                      std::to_string(int(std::lround(100 * grown / smallest))) +
-                     " % of the smallest one's size to give it a body. Check the poses of '" + carving.name + "' there");
+                     " % of the smallest one's size to give it a body. Check the poses of '" +
+                     carving.name + "' there");
 }
 
 }  // namespace artisketch

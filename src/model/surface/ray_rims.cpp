@@ -113,8 +113,9 @@ void choose_depths(const Carving& carving, const Box3& box, RayRim& rim) {
     const std::array<float, kDepths> outside = others.distances(rim.rays[i].ray, depths[i]);
     for (int k = 0; k < kDepths; ++k) {
       const double e = outside[k] / R, off = (depths[i].at(k) - rim.rays[i].sheet) / R;
-      data[i * kDepths + k] = float((e > 0 ? kOutside * std::min(e * e, 100.0) : (1 - rim.doubt) * e) +
-                                    rim.doubt * kSheet * off * off);
+      data[i * kDepths + k] =
+          float((e > 0 ? kOutside * std::min(e * e, 100.0) : (1 - rim.doubt) * e) +
+                rim.doubt * kSheet * off * off);
     }
   }
   // Twice around, so that the seam lies in the middle of a path that is then cut at both ends.

@@ -66,21 +66,22 @@ Grid3<float> plump(const HermiteSurface& f, const std::vector<RayRim>& rims, dou
 
 // How much of a part's depth its views leave to guess: 1 where they all show it from one direction,
 // less and less the wider they spread, 0 where two stand at a right angle. Outlines that are wrong
-// by a little tell the depth as badly as that over the square of the sine between them, so the guess
-// goes with a power of the cosine. Measured: more of it costs figures whose outlines agree some
-// thousandths at 30°, less of it makes planks of drawings that don't.
+// by a little tell the depth as badly as that over the square of the sine between them, so the
+// guess goes with a power of the cosine. Measured: more of it costs figures whose outlines agree
+// some thousandths at 30°, less of it makes planks of drawings that don't.
 double guessed_share(const Carving& carving) {
   const double same = (1 - carving.spread) / (1 - std::min(carving.spread, kOneDirection));
   return same * same * same;
 }
 
-// The body that the views suggest which say nothing of its depth: the mean of those that each of the
-// part's own outlines alone would be inflated to, so that outlines that contradict each other meet
-// in the middle. True up to kAbove outside the hull.
+// The body that the views suggest which say nothing of its depth: the mean of those that each of
+// the part's own outlines alone would be inflated to, so that outlines that contradict each other
+// meet in the middle. True up to kAbove outside the hull.
 Grid3<float> guessed(const Carving& carving, const Part& part, const Grid3<float>& hull) {
   const float above = float(kAbove * hull.cell);
   Grid3<float> bare = hull, sum = hull;
-  for (float& v : bare.values) v = v < above ? std::numeric_limits<float>::lowest() : kBeyond * above;
+  for (float& v : bare.values)
+    v = v < above ? std::numeric_limits<float>::lowest() : kBeyond * above;
   std::fill(sum.values.begin(), sum.values.end(), 0.0f);
   const auto own = std::count_if(carving.views.begin(), carving.views.end(),
                                  [](const Silhouette& s) { return !s.view->mirrored; });

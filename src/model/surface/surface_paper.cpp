@@ -140,8 +140,7 @@ Result<PartSurface> surface_paper(const Part& part, const SurfaceOptions& option
   run.report(0.1);
 
   const bool round_it = carving->one_direction() && !options.visual_hull;
-  if (round_it)
-    inflate(carving->views[0], part.bones, carving->centre, part.fatness, *hull);
+  if (round_it) inflate(carving->views[0], part.bones, carving->centre, part.fatness, *hull);
   Result<Mesh> mesh = options.visual_hull || carving->one_direction()
                           ? isosurface(*hull)
                           : refined(part, *hull, carving->radius, surface, run);
