@@ -27,8 +27,9 @@ unsigned char* compressed(unsigned char* data, int size, int* out_size, int qual
 // a few bytes may inflate to gigabytes of rows that no image has.
 thread_local std::size_t most_at_once = 0;
 
+// Zeroed: tables that a JPEG refers to and doesn't give are read all the same.
 void* taken(std::size_t size) {
-  return size <= most_at_once ? std::malloc(size) : nullptr;
+  return size <= most_at_once ? std::calloc(1, size) : nullptr;
 }
 void* taken_again(void* old, std::size_t size) {
   return size <= most_at_once ? std::realloc(old, std::max<std::size_t>(size, 1)) : nullptr;
