@@ -16,6 +16,8 @@ set(alone
   src/files/bvh_file.cpp
   src/files/document_file.cpp
   src/files/json.cpp
+  src/files/mesh_file.cpp
+  src/files/report_file.cpp
   src/files/tiny_gltf_impl.cpp
   tests/base/raster_test.cpp
   tests/document/animate_test.cpp

@@ -110,7 +110,9 @@ Result<Done> check_document(const Document& document, const std::string& file) {
     check_frame(document, f, frames / f, faults);
     for (const Contour& contour : document.frames[f].contours) closed |= contour.line.closed;
   }
-  if (!closed)
+  if (document.frames.empty())
+    faults.add(frames, "is empty; should have at least one frame");
+  else if (!closed)
     faults.add(frames,
                "have no closed contour: no part has a body; should have one for at least "
                "one joint");

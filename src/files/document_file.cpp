@@ -118,9 +118,8 @@ Document Reader::read(const Json& json) {
     skeleton(*v, root / "skeleton");
 
   const JsonPath frames = root / "frames";
-  if (const Json* v = fields.need("frames", "an array of one frame or more");
+  if (const Json* v = fields.need("frames", "an array of frames");
       is_list(v, frames, kMostFrames)) {
-    if (v->empty()) faults_.add(frames, "is empty; should have at least one frame");
     document_.frames.resize(v->size());
     for (std::size_t i = 0; i < v->size(); ++i) frame((*v)[i], frames / i, int(i));
   }
