@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <span>
 
 #include <fuzzer/FuzzedDataProvider.h>
 
@@ -58,7 +59,7 @@ void flat_stages(const Polyline& line, Bytes& bytes) {
     (void)cut_outline(line, a, b, 0.2);
     (void)with_stretch_redrawn(line, std::vector<Vec2>{a, b});
     const std::vector<std::vector<Vec2>> polygons{line.points};
-    const Box2 box = bounds({&line, 1});
+    const Box2 box = bounds(std::span<const Polyline>(&line, 1));
     const double step = std::max(box.sizes().maxCoeff(), 1e-6) / 40;
     const DistanceRaster raster(polygons, step, 6 * step);
     if (std::isnan(raster.distance(a))) std::abort();

@@ -291,7 +291,7 @@ OpenGl::~OpenGl() {
 
 const OpenGl::Program& OpenGl::program() {
   if (!program_) {
-    Program& p = program_.emplace();
+    Program& p = program_.emplace(Program{});
     p.id = linked(kVertex, kFragment);
     p.clip = glGetUniformLocation(p.id, "clip");
     p.turn = glGetUniformLocation(p.id, "turn");
