@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "figures/measure.h"
+#include "quality/figure_of.h"
 
 namespace artisketch::quality {
 namespace {
@@ -13,17 +14,6 @@ using namespace figures;
 
 constexpr int kWidth = 512, kHeight = 512;  // pixels
 constexpr int kNovelPoses = 6;
-
-Figure figure_of(int seed) {
-  switch (seed % 3) {
-    case 1:
-      return quadruped(seed);
-    case 2:
-      return robot(seed);
-    default:
-      return human(seed);
-  }
-}
 
 Sketches drawn(const Figure& figure, int frames, double baseline, const BaselineOptions& options,
                int seed) {

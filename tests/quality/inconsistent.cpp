@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "figures/measure.h"
+#include "quality/figure_of.h"
 
 namespace artisketch::quality {
 namespace {
@@ -12,17 +13,6 @@ using namespace figures;
 constexpr int kWidth = 512, kHeight = 512;  // pixels
 constexpr int kNovelPoses = 6;
 constexpr double kPartSize = 0.1, kDrawingSize = 0.04, kWobble = 1;  // shares; pixels
-
-Figure figure_of(int seed) {
-  switch (seed % 3) {
-    case 1:
-      return quadruped(seed);
-    case 2:
-      return robot(seed);
-    default:
-      return human(seed);
-  }
-}
 
 Sketches drawn(const Figure& figure, int frames, double baseline, double error, int seed) {
   const Camera camera = fitting_camera(figure, Camera::Type::orthographic, kWidth, kHeight);
