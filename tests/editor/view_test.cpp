@@ -237,6 +237,14 @@ TEST(Welcome, AModeGoesOnWithACopyOfWhatGreets) {
   EXPECT_EQ(h.platform.title, "circles – ArtiSketch");
 }
 
+// However long the example has played.
+TEST(Welcome, AModeBeginsWithTheFirstDrawing) {
+  Harness h({"hero"});
+  h.wait(1.5);
+  h.click("Outline mode");
+  EXPECT_EQ(h.state().frame, 0);
+}
+
 TEST(Welcome, ReconstructThereGoesOnWithIt) {
   Harness h({"circles"});
   h.click("Reconstruct");
