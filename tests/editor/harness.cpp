@@ -1,6 +1,8 @@
 #include "editor/harness.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -18,6 +20,11 @@ constexpr int kCoarse = 20;  // cells: what is asked of the editor doesn't depen
 
 std::string example_path(const std::string& name) {
   return ARTISKETCH_SOURCE_DIR "/assets/examples/" + name + "/" + name + ".artisketch";
+}
+
+// One check for all of them: there are tens of thousands in every frame.
+bool all_below(std::span<const unsigned> numbers, std::size_t limit) {
+  return std::all_of(numbers.begin(), numbers.end(), [=](unsigned n) { return n < limit; });
 }
 
 // Jobs are pure: the same request gives the same outcome.
@@ -139,18 +146,19 @@ class NoGraphics::Mesh : public CardMesh {
   void set_faces(std::span<const unsigned> corners, std::span<const float> uvs) override {
     vertices_ = uvs.size() / 2;
     EXPECT_EQ(corners.size() % 3, 0u);
-    for (const unsigned corner : corners) ASSERT_LT(corner, vertices_);
+    EXPECT_TRUE(all_below(corners, vertices_));
   }
   void set_edges(std::span<const unsigned> ends) override {
     EXPECT_EQ(ends.size() % 2, 0u);
-    for (const unsigned end : ends) ASSERT_LT(end, vertices_);
+    EXPECT_TRUE(all_below(ends, vertices_));
     has_edges = true;
   }
   void set_ground(std::span<const float> ends) override { EXPECT_EQ(ends.size() % 6, 0u); }
   void move(std::span<const float> positions, std::span<const float> normals) override {
     EXPECT_EQ(positions.size(), 3 * vertices_);
     EXPECT_EQ(normals.size(), 3 * vertices_);
-    for (const float x : positions) ASSERT_TRUE(std::isfinite(x));
+    EXPECT_TRUE(
+        std::all_of(positions.begin(), positions.end(), [](float x) { return std::isfinite(x); }));
     placed = true;
   }
   void colour(std::span<const std::uint8_t> rgba) override {
@@ -224,16 +232,21 @@ ImFontAtlas& shared_fonts() {
 // What is drawn can be drawn.
 void check(const ImDrawData& data, const std::set<unsigned>& textures) {
   for (const ImDrawList* list : data.CmdLists) {
-    for (const ImDrawVert& vertex : list->VtxBuffer)
-      ASSERT_TRUE(std::isfinite(vertex.pos.x) && std::isfinite(vertex.pos.y)) << list->_OwnerName;
+    const auto placed = [](const ImDrawVert& vertex) {
+      return std::isfinite(vertex.pos.x) && std::isfinite(vertex.pos.y);
+    };
+    ASSERT_TRUE(std::all_of(list->VtxBuffer.begin(), list->VtxBuffer.end(), placed))
+        << list->_OwnerName;
     for (const ImDrawCmd& command : list->CmdBuffer) {
       if (command.UserCallback) continue;
       const auto texture = unsigned(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
       ASSERT_TRUE(command.ElemCount == 0 || texture == kFonts || textures.contains(texture))
           << "texture " << texture << " in " << list->_OwnerName;
-      for (unsigned i = 0; i < command.ElemCount; ++i)
-        ASSERT_LT(command.VtxOffset + list->IdxBuffer[int(command.IdxOffset + i)],
-                  unsigned(list->VtxBuffer.Size));
+      ASSERT_LE(command.IdxOffset + command.ElemCount, unsigned(list->IdxBuffer.Size));
+      ASSERT_LE(command.VtxOffset, unsigned(list->VtxBuffer.Size));
+      ASSERT_TRUE(all_below({list->IdxBuffer.Data + command.IdxOffset, command.ElemCount},
+                            unsigned(list->VtxBuffer.Size) - command.VtxOffset))
+          << list->_OwnerName;
     }
   }
 }

@@ -57,34 +57,51 @@ TEST(Opening, AnUntouchedDocumentAfterAnother) {
   EXPECT_NE(h.find("Hand L in 3"), nullptr);
 }
 
-class After : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Examples, After, testing::ValuesIn(kExamples),
-                         [](const auto& info) { return info.param; });
+struct Armed {
+  std::string mode, tool;
+};
 
-// From every mode, with every tool armed and used, with the other's last part and outline chosen.
-TEST_P(After, EachOtherExampleInEveryModeWithEveryTool) {
-  Harness h;
+std::vector<Armed> all_armed() {
+  std::vector<Armed> all;
   for (const std::string& mode : kModes)
-    for (const std::string& tool : tools_of(mode))
-      for (const std::string& next : kExamples) {
-        if (next == GetParam()) continue;
-        SCOPED_TRACE(mode + ", " + tool + ", then " + next);
-        h.open_example(GetParam());
-        h.click(mode + " mode");
-        h.click(tool + " tool");
-        h.key(ImGuiKey_Comma);  // the last drawing
-        if (h.find("Sketch")) {
-          const Vec2 middle = h.middle("Sketch");
-          h.draw({middle, middle + Vec2(30, 0), middle + Vec2(30, 40)});
-        }
-        h.open_example(next);
-        if (h.find("Don't save")) h.click("Don't save");
-        EXPECT_EQ(h.state().mode, "outline");
-        EXPECT_EQ(h.state().frame, 0);
-        EXPECT_FALSE(h.state().can_undo);
-        EXPECT_EQ(h.document().name, next);
-        for (const std::string& other : kModes) h.click(other + " mode");
+    for (const std::string& tool : tools_of(mode)) all.push_back({mode, tool});
+  return all;
+}
+
+class After : public testing::TestWithParam<Armed> {};
+INSTANTIATE_TEST_SUITE_P(Tools, After, testing::ValuesIn(all_armed()),
+                         [](const auto& info) { return info.param.mode + info.param.tool; });
+
+// With the tool armed and used on the other's last drawing.
+TEST_P(After, EachExampleOpensAfterEachOther) {
+  constexpr ImGuiKey kKeys[] = {ImGuiKey_1, ImGuiKey_2, ImGuiKey_3, ImGuiKey_4};
+  Harness h;
+  const std::size_t count = kExamples.size();
+  std::size_t at = 0;
+  h.open_example(kExamples[at]);
+  // Strides through a circle of a prime number of examples: each follows each other once.
+  ASSERT_EQ(count, 5u);
+  for (std::size_t stride = 1; stride < count; ++stride)
+    for (std::size_t step = 0; step < count; ++step) {
+      const std::string before = kExamples[at];
+      at = (at + stride) % count;
+      const std::string& next = kExamples[at];
+      SCOPED_TRACE(before + ", then " + next);
+      h.click(GetParam().mode + " mode");
+      h.click(GetParam().tool + " tool");
+      h.key(ImGuiKey_Comma);  // the last drawing
+      if (h.find("Sketch")) {
+        const Vec2 middle = h.middle("Sketch");
+        h.draw({middle, middle + Vec2(30, 0), middle + Vec2(30, 40)});
       }
+      h.open_example(next);
+      if (h.find("Don't save")) h.click("Don't save");
+      EXPECT_EQ(h.state().mode, "outline");
+      EXPECT_EQ(h.state().frame, 0);
+      EXPECT_FALSE(h.state().can_undo);
+      EXPECT_EQ(h.document().name, next);
+      for (const ImGuiKey mode : kKeys) h.key(mode);
+    }
 }
 
 }  // namespace

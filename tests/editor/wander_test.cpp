@@ -26,10 +26,13 @@ constexpr ImGuiKey kKeys[] = {ImGuiKey_A,         ImGuiKey_B,           ImGuiKey
 
 // What a saved document holds is read again, the same.
 void expect_sound(const Harness& h) {
+  static std::string sound;  // the last that was
   const std::string written = text(h);
+  if (written == sound) return;
   const Result<Document> read = parse_document(written, "what was wandered to");
   ASSERT_TRUE(read.ok()) << read.error().text();
   EXPECT_TRUE(document_text(*read) == written);
+  sound = written;
 }
 
 // All the way back, and all the way on again.
@@ -119,6 +122,7 @@ TEST(Keys, NoneBreaksAnything) {
   for (const std::string start : {"welcome", "new", "blank", "pressed"}) {
     for (const int modifiers : {0, int(ImGuiMod_Shift), int(ImGuiMod_Ctrl)})
       for (const std::string mode : {"Outline", "Skeleton", "Pose", "Result"}) {
+        if (start == "welcome" && mode != "Outline") continue;  // it knows no modes
         Harness h(start == "welcome" ? std::vector<std::string>{"circles"}
                                      : std::vector<std::string>{});
         h.platform.dialogs = start != "new";
