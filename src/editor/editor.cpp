@@ -105,8 +105,8 @@ void advance(App& app) {
     app.session.playback.time = view.looping || view.welcome ? 0 : end;
     app.session.playback.playing = view.looping || view.welcome;
   }
-  // The first clip goes through the drawings, and they follow. What greets shows none: whoever goes on
-  // from there begins with the first, however long it has played.
+  // The first clip goes through the drawings, and they follow. What greets shows none: whoever goes
+  // on from there begins with the first, however long it has played.
   if (!view.welcome && app.session.playback.clip == 0 && !app.document().frames.empty())
     app.session.selection.frame =
         std::min(int(app.session.playback.time + 0.5), int(app.document().frames.size()) - 1);
