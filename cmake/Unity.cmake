@@ -24,6 +24,7 @@ set(alone
   tests/document/covered_test.cpp
   tests/document/posing_test.cpp
   tests/model/fit/fit_marks_test.cpp
+  tests/model/rig/retarget_test.cpp
   tests/model/surface/surface_rays_test.cpp
   tests/figures/polygonise.cpp
 )

@@ -26,8 +26,10 @@
 #include "files/mesh_file.h"
 #include "files/preview.h"
 #include "files/report_file.h"
+#include "files/sprites.h"
 #include "files/trace_file.h"
 #include "model/calibrate/unseen_sides.h"
+#include "model/rig/library.h"
 #include "model/rig/retarget.h"
 #include "model/stages.h"
 
@@ -51,6 +53,10 @@ struct Arguments {
   int frame = 0, turntable = 0;
   bool clear = false;
   double yaw = 0, pitch = 0;
+  RetargetOptions retarget;
+  std::vector<std::string> clips;
+  SpriteOptions sprites;
+  std::string json;
 };
 
 // What will be written, all of it made before anything is.
@@ -282,6 +288,20 @@ int write_trace(const std::string& folder, const Trace& trace) {
   return kDone;
 }
 
+// The library's clips as the command line names them: "walk", "walk:stride=1.2".
+Result<std::vector<Clip>> clips_wanted(const std::vector<std::string>& words,
+                                       const Skeleton& skeleton) {
+  std::vector<Clip> clips;
+  for (const std::string& one : words) {
+    const Result<ClipWish> wish = clip_wish(one);
+    if (!wish) return bad_input("--clip " + one + ": " + wish.error().text());
+    Result<Clip> clip = library_clip(skeleton, wish->name, wish->style);
+    if (!clip) return bad_input("--clip " + one + ": " + clip.error().text());
+    clips.push_back(std::move(*clip));
+  }
+  return clips;
+}
+
 int reconstruct_verb(Arguments& a) {
   const std::string ending = model_ending(a.out);
   if (ending.empty())
@@ -303,17 +323,22 @@ int reconstruct_verb(Arguments& a) {
   std::vector<std::string> inputs = files_of(*document, a.in);
   inputs.push_back(a.motion);
   if (const auto words = overwritten(targets, inputs)) return bad_command_line(*words);
-  std::optional<Clip> clip;
+  std::optional<Motion> motion;
+  std::optional<Retargeted> moved;
   if (!a.motion.empty() && ending != ".glb") {
     print_warnings({"--motion " + a.motion + ": is left out, since " + ending +
                     " holds the surface alone; name a .glb to have it"});
   } else if (!a.motion.empty()) {
-    Result<Motion> motion = read_bvh(a.motion);
-    if (!motion) return fail(motion.error());
-    Result<Clip> moved = retargeted(*document, *motion);
-    if (!moved) return fail(bad_input(a.motion + ": " + moved.error().text()));
-    clip = std::move(*moved);
+    Result<Motion> read = read_bvh(a.motion);
+    if (!read) return fail(read.error());
+    motion = std::move(*read);
+    Result<Retargeted> made = retargeted(*document, *motion, a.retarget);
+    if (!made) return fail(bad_input(a.motion + ": " + made.error().text()));
+    moved = std::move(*made);
+    for (const std::string& warning : moved->warnings) print_warnings({a.motion + ": " + warning});
   }
+  Result<std::vector<Clip>> library = clips_wanted(a.clips, document->skeleton);
+  if (!library) return bad_command_line(library.error().text());
   PipelineOptions options = options_of(a, *document);
   a.grid = options.grid;
   std::vector<Image> drawings;
@@ -331,7 +356,8 @@ int reconstruct_verb(Arguments& a) {
   if (const int status = write_trace(a.trace, trace)) return status;
   if (!result) return fail(result.error());
   print_warnings(result->warnings);
-  if (clip) result->model.clips.insert(result->model.clips.begin() + 1, std::move(*clip));
+  if (moved) library->insert(library->begin(), moved->clip);
+  result->model.clips.insert(result->model.clips.begin() + 1, library->begin(), library->end());
 
   std::vector<Output> outputs;
   Result<std::string> model = model_bytes_for(ending, result->model);
@@ -339,13 +365,16 @@ int reconstruct_verb(Arguments& a) {
   const std::size_t size = model->size();
   if (!a.calibrated.empty())
     outputs.push_back({a.calibrated, text_beside(result->calibrated, a.in, a.calibrated)});
-  if (!a.report.empty()) outputs.push_back({a.report, report_text(*document, *result)});
+  if (!a.report.empty())
+    outputs.push_back({a.report, report_text(*document, *result, motion ? &*motion : nullptr,
+                                             moved ? &*moved : nullptr)});
   if (!a.preview.empty())
     outputs.push_back({a.preview, png_bytes(contact_sheet(*document, drawings, *result))});
   outputs.push_back({a.out, std::move(*model)});
   if (stop_asked) return fail(cancelled());
   if (const int status = write_all(outputs)) return status;
   if (!a.quiet) print_summary(a.out, size, *document, *result);
+  if (!a.quiet && moved) std::printf("%s\n", mapping_words(*document, *motion, *moved).c_str());
   return kDone;
 }
 
@@ -430,6 +459,23 @@ int render_verb(const Arguments& a) {
   return write_all({{a.out, png_bytes(image)}});
 }
 
+int sprites_verb(Arguments& a) {
+  if (a.json.empty()) a.json = std::filesystem::path(a.out).replace_extension(".json").string();
+  const std::vector<Target> targets{{"-o", a.out, Kind::picture}, {"--json", a.json, Kind::report}};
+  if (const auto words = wrong_ending(targets)) return bad_command_line(*words);
+  if (const auto error = unwritable(targets)) return fail(*error);
+  if (const auto words = overwritten(targets, {a.in})) return bad_command_line(*words);
+  const Result<std::string> bytes = read_file(a.in);
+  if (!bytes) return fail(bad_input(bytes.error().text()));
+  const Result<Model> model = read_glb(*bytes, a.in);
+  if (!model) return fail(bad_input(model.error().text()));
+  a.sprites.pitch = radians(a.pitch);
+  const Result<SpriteSheet> sheet =
+      sprite_sheet(*model, a.sprites, std::filesystem::path(a.out).filename().string());
+  if (!sheet) return fail(bad_input(a.in + ": " + sheet.error().text()));
+  return write_all({{a.json, sheet->json}, {a.out, png_bytes(sheet->image)}});
+}
+
 void add_run_flags(CLI::App& verb, Arguments& a) {
   verb.add_option("IN", a.in, "the sketch document (.artisketch)")->required();
   verb.add_option("--method", a.method, "paper: every step as published; rays: ours")
@@ -485,6 +531,11 @@ int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
           "auto or INT in [100 - 10000000]", "triangles"));
   make.add_flag("--no-calibrate", a.no_calibrate, "trust the document's poses");
   make.add_option("--motion", a.motion, "a recorded motion to add as a clip (.bvh)");
+  make.add_option("--clip", a.clips,
+                  "a clip of the library, like walk or walk:stride=1.2,bounce=0.5; again for more");
+  make.add_flag("--in-place", a.retarget.in_place, "leave out the motion's way over the ground");
+  make.add_flag("--raw-feet{false}", a.retarget.plant_feet,
+                "feet as the motion has them: they may slide and float");
   make.add_flag("--no-texture", a.no_texture, "leave the model plain");
   make.add_option("--calibrated", a.calibrated, "the document at the calibrated poses");
   make.add_option("--preview", a.preview,
@@ -518,6 +569,22 @@ int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
   draw.add_flag("--clear", a.clear, "nothing behind the model: a picture with transparency");
   draw.add_option("--turntable", a.turntable, "N pictures round the model, side by side")
       ->check(CLI::Range(1, 64));
+  CLI::App& cut = *app.add_subcommand("sprites", "Draw a clip of a model as a sheet of sprites");
+  cut.add_option("IN", a.in, "the model (.glb)")->required();
+  cut.add_option("-o,--output", a.out, "the sheet (.png)")->required();
+  cut.add_option("--json", a.json,
+                 "where each sprite is, as Aseprite and TexturePacker say it "
+                 "(default: beside the sheet)");
+  cut.add_option("--clip", a.sprites.clip, "the clip, by its name in the model")->required();
+  cut.add_option("--directions", a.sprites.directions, "sides it is seen from (default 8)")
+      ->check(CLI::IsMember({1, 4, 8, 16}));
+  cut.add_option("--size", a.sprites.size, "of a sprite's longer side in pixels (default 128)")
+      ->check(CLI::Range(8, 1024));
+  cut.add_option("--rate", a.sprites.rate, "pictures a second (default 12)")
+      ->check(CLI::Range(1, 60));
+  cut.add_option("--padding", a.sprites.padding, "pixels between sprites (default 0)")
+      ->check(CLI::Range(0, 64));
+  cut.add_option("--pitch", a.pitch, "degrees that it is seen from above")->check(angle);
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ExtrasError&) {
@@ -528,6 +595,7 @@ int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
   if (make.parsed()) return reconstruct_verb(a);
   if (pose.parsed()) return calibrate_verb(a);
   if (check.parsed()) return check_verb(a);
+  if (cut.parsed()) return sprites_verb(a);
   return render_verb(a);
 }
 

@@ -85,19 +85,39 @@ Json calibration_json(const Document& document, const Calibration& result) {
   return out;
 }
 
+Json motion_json(const Document& document, const Motion& motion, const Retargeted& moved) {
+  const auto theirs = [&](int joint) { return Json(motion.skeleton.joints[joint].name); };
+  Json out = {{"name", motion.name},
+              {"up", moved.z_up ? "z" : "y"},
+              {"scale", number(moved.scale)},
+              {"loops", moved.loops}};
+  Json& joints = out["joints"] = Json::array();
+  for (const JointMatch& match : moved.map.matches)
+    joints.push_back({{"joint", joint_name(document, match.joint)},
+                      {"by", theirs(match.mover)},
+                      {"how", match_word(match.how)}});
+  Json &still = out["still"] = Json::array(), &unused = out["unused"] = Json::array();
+  for (const int joint : moved.map.still) still.push_back(joint_name(document, joint));
+  for (const int joint : moved.map.unused) unused.push_back(theirs(joint));
+  out["warnings"] = words(moved.warnings);
+  return out;
+}
+
 Json head(const Document& document) {
   return {{"document", document.name}, {"generator", "ArtiSketch " ARTISKETCH_VERSION}};
 }
 
 }  // namespace
 
-std::string report_text(const Document& document, const Reconstruction& result) {
+std::string report_text(const Document& document, const Reconstruction& result,
+                        const Motion* motion, const Retargeted* moved) {
   Json report = head(document);
   report["stages"] = stages_json(result.stages);
   report["frames"] = frames_json(document, result.fits);
   report["unseen_sides"] = unseen_sides_json(document, result.calibrated);
   report["calibration"] =
       result.calibration ? calibration_json(document, *result.calibration) : Json(nullptr);
+  report["motion"] = motion && moved ? motion_json(document, *motion, *moved) : Json(nullptr);
   report["model"] = {{"vertices", result.model.mesh.V.rows()},
                      {"triangles", result.model.mesh.F.rows()},
                      {"joints", result.model.skeleton.size()}};

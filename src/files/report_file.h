@@ -12,6 +12,10 @@
 //                  coverage[] {joint, frame, before, after} (share of a contour's rays that meet
 //                  the part's hull), undetermined[], warnings[];
 //                  null where poses were not calibrated
+//   motion         name, up (y, z), scale (units per unit of the motion), loops,
+//                  joints[] {joint, by (the motion's joint), how: given, named, guessed},
+//                  still[] (joints that nothing moves), unused[] (the motion's that move nothing),
+//                  warnings[]; null without --motion
 //   model          vertices, triangles, joints
 //   warnings[]     in words
 //
@@ -21,12 +25,14 @@
 
 #include <string>
 
+#include "model/rig/retarget.h"
 #include "model/stages.h"
 
 namespace artisketch {
 
-// Of a whole run. `document` is what went in.
-std::string report_text(const Document& document, const Reconstruction& result);
+// Of a whole run. `document` is what went in; with a motion, what became of it.
+std::string report_text(const Document& document, const Reconstruction& result,
+                        const Motion* motion = nullptr, const Retargeted* moved = nullptr);
 
 // Of `artisketch calibrate`: one stage that took `seconds`.
 std::string report_text(const Document& document, const Calibration& result, double seconds);

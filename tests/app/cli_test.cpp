@@ -226,7 +226,7 @@ TEST_F(CommandLine, AWrongWordIsAnsweredWithTheRightOne) {
   } cases[] = {
       {{"recon", "x.artisketch"}, "no such verb; did you mean reconstruct?"},
       {{"chekc", "x"}, "did you mean check?"},
-      {{"paint"}, "The verbs are reconstruct, calibrate, check and render"},
+      {{"paint"}, "The verbs are reconstruct, calibrate, check, render and sprites"},
       {{kCircles}, "reconstruct "},
       {{"version"}, "did you mean artisketch --version?"},
       {{"reconstruct", kCircles, "-o", "x.glb", "--gird", "64"},
@@ -369,6 +369,39 @@ TEST_F(CommandLine, CtrlCStopsItAndLeavesNoFile) {
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(CommandLine, AMotionFromElsewhereAndClipsOfTheLibrary) {
+  const std::string wave =
+      write("wave.bvh",
+            "HIERARCHY\nROOT mixamorig:Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition "
+            "Yposition Zposition Zrotation Xrotation Yrotation\nJOINT "
+            "mixamorig:LeftArm\n{\nOFFSET 20 50 0\nCHANNELS 3 Zrotation Xrotation "
+            "Yrotation\nJOINT mixamorig:LeftForeArm\n{\nOFFSET 30 0 0\nCHANNELS "
+            "0\n}\n}\n}\nMOTION\nFrames: 3\nFrame Time: 0.1\n"
+            "0 90 0 0 0 0 0 0 0\n0 90 0 0 0 0 45 0 0\n");
+  EXPECT_EQ(run({"reconstruct", kHero, "-o", path("h.glb"), "--no-calibrate", "--grid", "24",
+                 "--no-texture", "--motion", wave, "--clip", "walk:stride=0.8", "--clip", "idle",
+                 "--report", path("r.json")}),
+            0)
+      << err;
+  EXPECT_NE(err.find("says that it has 3 frames"), std::string::npos) << err;
+  EXPECT_NE(err.find("moves nothing of"), std::string::npos) << err;
+  EXPECT_NE(out.find("motion wave:"), std::string::npos) << out;
+  const std::string report = *read_file(path("r.json"));
+  EXPECT_NE(report.find("\"by\": \"mixamorig:LeftArm\""), std::string::npos);
+  EXPECT_NE(report.find("\"how\": \"named\""), std::string::npos);
+  EXPECT_EQ(run({"sprites", path("h.glb"), "-o", path("s.png"), "--clip", "walk", "--directions",
+                 "4", "--size", "32", "--rate", "4"}),
+            0)
+      << err;
+  EXPECT_TRUE(fs::exists(path("s.png")));
+  EXPECT_NE(read_file(path("s.json"))->find("\"image\": \"s.png\""), std::string::npos);
+  EXPECT_EQ(run({"sprites", path("h.glb"), "-o", path("s.png"), "--clip", "fly"}), 1);
+  EXPECT_NE(err.find("frames, wave, walk, idle"), std::string::npos) << err;
+  EXPECT_EQ(run({"reconstruct", kHero, "-o", path("h.glb"), "--clip", "trot"}), 2);
+  EXPECT_NE(err.find("there are idle, walk, run, jump, wave, sit"), std::string::npos) << err;
+  EXPECT_EQ(run({"reconstruct", kHero, "-o", path("h.glb"), "--clip", "walk:pace=2"}), 2);
 }
 
 TEST(ProgressLine, SaysStagePartAndTimeLeft) {

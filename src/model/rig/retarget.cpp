@@ -4,141 +4,632 @@
 #include <cmath>
 
 #include "base/rotation.h"
+#include "base/words.h"
+#include "model/rig/feet.h"
 
 namespace artisketch {
 namespace {
 
-// Letters and digits alone, in lower case; other alphabets as they are.
-std::string plain_name(const std::string& name) {
-  std::string plain;
-  for (const char c : name) {
-    if (c >= 'A' && c <= 'Z')
-      plain += char(c - 'A' + 'a');
-    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c & 0x80))
-      plain += c;
-  }
-  return plain;
+constexpr double kNothing = 1e-9;  // of a length: too short to point anywhere
+
+// ---------------------------------------------------------------- the motion, y up
+
+Mat3 up_from_z() {
+  return Mat3(Eigen::AngleAxisd(-kPi / 2, Vec3::UnitX()));
 }
 
-// Per joint of the document the motion's joint that moves it, −1 where none does.
-std::vector<int> movers(const Document& document, const Motion& motion) {
-  std::vector<int> mover(document.skeleton.size(), -1);
-  std::vector<bool> taken(motion.skeleton.size(), false);
-  for (const auto& [name, joint] : document.motion.joints)
-    if (const int m = motion.skeleton.find(name); m >= 0) {
-      mover[joint] = m;
-      taken[m] = true;
+// A motion's poses, turned so that y is up.
+class Source {
+ public:
+  explicit Source(const Motion& motion) : motion_(motion) {}
+  void turn_up() { turn_ = up_from_z(), turned_ = true; }
+  int size() const { return int(motion_.poses.size()); }
+  const Skeleton& skeleton() const { return motion_.skeleton; }
+  // In pose k; k < 0: at rest.
+  std::vector<Transform> posed(int k) const {
+    std::vector<Transform> all =
+        k < 0 ? artisketch::posed_joints(motion_.skeleton, rest_pose(motion_.skeleton))
+              : artisketch::posed_joints(motion_, k);
+    if (turned_)
+      for (Transform& one : all) one = Transform(turn_) * one;
+    return all;
+  }
+  // About `most` poses, evenly.
+  std::vector<int> sampled(int most) const {
+    std::vector<int> some;
+    const int step = std::max(1, size() / most);
+    for (int k = 0; k < size(); k += step) some.push_back(k);
+    return some;
+  }
+
+ private:
+  const Motion& motion_;
+  Mat3 turn_ = Mat3::Identity();
+  bool turned_ = false;
+};
+
+std::vector<Vec3> places(const std::vector<Transform>& posed) {
+  std::vector<Vec3> at;
+  at.reserve(posed.size());
+  for (const Transform& joint : posed) at.push_back(joint.translation());
+  return at;
+}
+
+// From the feet to the hips and on to the head; nothing where neither is known.
+std::optional<Vec3> standing_direction(const BodyPlan& figure, const std::vector<Vec3>& at) {
+  Vec3 up = Vec3::Zero();
+  for (const LimbJoints& leg : figure.legs)
+    if (leg.upper >= 0 && std::max(leg.end, leg.lower) >= 0)
+      up += at[leg.upper] - at[leg.end >= 0 ? leg.end : leg.lower];
+  if (figure.trunk.size() > 1) up += at[figure.trunk.back()] - at[figure.trunk.front()];
+  return up.norm() > kNothing ? std::optional(Vec3(up.normalized())) : std::nullopt;
+}
+
+// Whether z is up: the figure stands along it, for more of the time than along y. Where its joints
+// say nothing, it is taller along it.
+bool stands_along_z(const Source& source, const BodyPlan& figure) {
+  constexpr double kUpright = 0.8;  // cosine
+  int along_y = 0, along_z = 0;
+  double tall_y = 0, tall_z = 0;
+  for (const int k : source.sampled(200)) {
+    const std::vector<Vec3> at = places(source.posed(k));
+    if (const auto up = standing_direction(figure, at)) {
+      along_y += up->y() > kUpright;
+      along_z += up->z() > kUpright;
+    } else {
+      Box3 box;
+      for (const Vec3& p : at) box.extend(p);
+      tall_y += box.sizes().y();
+      tall_z += box.sizes().z();
     }
-  for (int j = 0; j < document.skeleton.size(); ++j) {
-    const std::string name = plain_name(document.skeleton.joints[j].name);
-    for (int m = 0; m < motion.skeleton.size() && mover[j] < 0 && !name.empty(); ++m)
-      if (!taken[m] && plain_name(motion.skeleton.joints[m].name) == name) {
-        mover[j] = m;
-        taken[m] = true;
+  }
+  return along_z > along_y || (along_y == 0 && along_z == 0 && tall_z > 1.3 * tall_y);
+}
+
+// ---------------------------------------------------------------- where figures point
+
+// Axes with the second along `primary` and the first as near to `side` as that allows.
+Mat3 axes(const Vec3& primary, const Vec3& side) {
+  const Vec3 y = primary.normalized();
+  Vec3 x = side - y.dot(side) * y;
+  x = x.norm() > kNothing ? Vec3(x.normalized()) : y.unitOrthogonal();
+  Mat3 all;
+  all << x, y, x.cross(y);
+  return all;
+}
+
+// From the right to the left, where a pair is known.
+std::optional<Vec3> across(const std::array<LimbJoints, 2>& pair, const std::vector<Vec3>& at) {
+  if (pair[0].upper < 0 || pair[1].upper < 0) return std::nullopt;
+  const Vec3 side = at[pair[0].upper] - at[pair[1].upper];
+  return side.norm() > kNothing ? std::optional(side) : std::nullopt;
+}
+
+std::optional<Vec3> along(const std::vector<Vec3>& at, int from, int to) {
+  if (from < 0 || to < 0) return std::nullopt;
+  const Vec3 way = at[to] - at[from];
+  return way.norm() > kNothing ? std::optional(way) : std::nullopt;
+}
+
+struct Frame3 {
+  std::optional<Mat3> hips, chest;
+};
+Frame3 trunk_frames(const BodyPlan& figure, const std::vector<Vec3>& at) {
+  Frame3 frames;
+  if (figure.trunk.size() < 2) return frames;
+  const auto primary = along(at, figure.trunk.front(), figure.trunk.back());
+  auto side = across(figure.legs, at);
+  if (!side) side = across(figure.arms, at);
+  if (primary && side) frames.hips = axes(*primary, *side);
+  auto upper = along(at, figure.chest, figure.head);
+  if (!upper) upper = primary;
+  if (const auto shoulders = across(figure.arms, at); shoulders && upper)
+    frames.chest = axes(*upper, *shoulders);
+  return frames;
+}
+
+// A bone of the document's and what it follows: from a place of the motion's figure to another.
+struct Aim {
+  int to = -1;  // of the document; −1: none
+  int their_from = -1, their_to = -1;
+  int trunk = -1;  // or the part of the trunk that begins here
+};
+
+class Retargeter {
+ public:
+  Retargeter(const Document& document, const Motion& motion, const RetargetOptions& options)
+      : document_(document),
+        ours_(document.skeleton),
+        motion_(motion),
+        source_(motion),
+        options_(options),
+        rest_(rest_positions(document.skeleton)) {}
+
+  Result<Retargeted> run() {
+    find_up();
+    out_.map = mapped(document_, motion_, places(source_.posed(0)));
+    if (out_.map.matches.empty())
+      return bad_input("the motion '" + motion_.name + "' moves no joint of the document: its '" +
+                       theirs().joints[0].name +
+                       "' is none; name pairs in /motion/joints, like { \"" +
+                       theirs().joints[0].name + "\": \"" + ours_.joints[0].name + "\" }");
+    find_aims();
+    find_reference();
+    find_feet();
+    find_differences();
+    find_scale();
+    make_clip();
+    finish();
+    return std::move(out_);
+  }
+
+ private:
+  const Skeleton& theirs() const { return motion_.skeleton; }
+  const BodyPlan& our() const { return out_.map.ours; }
+  const BodyPlan& their() const { return out_.map.theirs; }
+  int mover(int joint) const { return joint < 0 ? -1 : out_.map.mover[joint]; }
+
+  void find_up() {
+    const std::vector<Vec3> at = places(source_.posed(0));
+    out_.z_up = stands_along_z(source_, body_plan_of(theirs(), at, false));
+    if (out_.z_up) source_.turn_up();
+  }
+
+  bool four_legged() const {
+    if (our().trunk.size() < 2) return false;
+    const Vec3 way =
+        rest_[our().chest >= 0 ? our().chest : our().trunk.back()] - rest_[our().trunk.front()];
+    return std::abs(way.y()) < way.norm() / 2;
+  }
+
+  // ---- what follows what
+
+  void find_aims() {
+    aims_.assign(std::size_t(ours_.size()), Aim());
+    const auto limb = [&](const LimbJoints& mine, const LimbJoints& yours) {
+      const int our_joints[] = {mine.collar, mine.upper, mine.lower, mine.end, mine.tip};
+      const int their_joints[] = {yours.collar, yours.upper, yours.lower, yours.end, yours.tip};
+      for (int i = 0; i < 4; ++i) {
+        if (our_joints[i] < 0 || mover(our_joints[i]) != their_joints[i]) continue;
+        for (int k = i + 1; k < 5; ++k)
+          if (our_joints[k] >= 0 && their_joints[k] >= 0 &&
+              (k == 4 || mover(our_joints[k]) == their_joints[k])) {
+            aims_[our_joints[i]] = {our_joints[k], their_joints[i], their_joints[k], -1};
+            break;
+          }
+      }
+    };
+    for (std::size_t s = 0; s < 2; ++s) {
+      limb(our().arms[s], their().arms[s]);
+      limb(our().legs[s], their().legs[s]);
+    }
+    find_trunk_aims();
+    // Whatever else: from a mapped joint to the one that comes next.
+    std::vector<bool> mine(ours_.size(), false), yours(theirs().size(), false);
+    for (const JointMatch& match : out_.map.matches) mine[match.joint] = yours[match.mover] = true;
+    for (const JointMatch& match : out_.map.matches) {
+      Aim& aim = aims_[match.joint];
+      if (aim.to >= 0 || aim.trunk >= 0 || is_end(match.joint) || match.joint == our().head ||
+          match.joint == our().hips || match.joint == our().chest)
+        continue;
+      const int to = next_joint(ours_, match.joint, mine);
+      const int their_to = next_joint(theirs(), match.mover, yours);
+      if (to >= 0 && their_to >= 0) aim = {to, match.mover, their_to, -1};
+    }
+  }
+
+  bool is_end(int joint) const {
+    for (const auto* pair : {&our().arms, &our().legs})
+      for (const LimbJoints& limb : *pair)
+        if (limb.end == joint) return true;
+    return false;
+  }
+
+  // The one mapped joint that comes next below, or the only child; −1 where several do.
+  static int next_joint(const Skeleton& skeleton, int joint, const std::vector<bool>& mapped) {
+    std::vector<int> next, open = skeleton.children(joint);
+    while (!open.empty()) {
+      const int j = open.back();
+      open.pop_back();
+      if (mapped[j]) {
+        next.push_back(j);
+        continue;
+      }
+      const std::vector<int> children = skeleton.children(j);
+      open.insert(open.end(), children.begin(), children.end());
+    }
+    if (next.empty()) next = skeleton.children(joint);
+    return next.size() == 1 ? next[0] : -1;
+  }
+
+  // Trunks are alike as wholes: a joint a third of the way up ours follows the point a third of the
+  // way up theirs. Where arms are forelegs, the chest is where they are.
+  void find_trunk_aims() {
+    const std::vector<int>&mine = our().trunk, &yours = their().trunk;
+    if (mine.size() < 2 || yours.size() < 2) return;
+    const auto at = [](const std::vector<int>& trunk, int joint) {
+      return int(std::find(trunk.begin(), trunk.end(), joint) - trunk.begin());
+    };
+    std::vector<std::pair<int, int>> anchors{{0, 0}};
+    const bool heads = our().head >= 0 && their().head >= 0;
+    if (our().chest > our().hips && their().chest > their().hips && (four_legged() || !heads))
+      anchors.emplace_back(at(mine, our().chest), at(yours, their().chest));
+    else if (!heads && our().chest < 0)
+      anchors.emplace_back(int(mine.size()) - 1, int(yours.size()) - 1);
+    if (heads) anchors.emplace_back(int(mine.size()) - 1, int(yours.size()) - 1);
+    trunk_at_.clear();
+    for (std::size_t a = 0; a + 1 < anchors.size(); ++a) {
+      double whole = 0, way = 0;
+      for (int i = anchors[a].first; i < anchors[a + 1].first; ++i)
+        whole += (rest_[mine[i + 1]] - rest_[mine[i]]).norm();
+      for (int i = anchors[a].first; i < anchors[a + 1].first; ++i) {
+        trunk_at_.push_back({anchors[a].second, anchors[a + 1].second, way / whole});
+        way += (rest_[mine[i + 1]] - rest_[mine[i]]).norm();
+      }
+    }
+    if (anchors.size() < 2 || anchors.back().second == 0) return trunk_at_.clear();
+    trunk_at_.push_back({anchors.back().second, anchors.back().second, 0});
+    for (int i = 0; i + 1 < int(trunk_at_.size()); ++i)
+      if (mover(mine[i]) >= 0) aims_[mine[i]] = {mine[i + 1], -1, -1, i};
+  }
+
+  Vec3 on_trunk(int i, const std::vector<Vec3>& at) const {
+    const OnTrunk& place = trunk_at_[std::size_t(i)];
+    const std::vector<int>& trunk = their().trunk;
+    double whole = 0;
+    for (int k = place.from; k < place.to; ++k) whole += (at[trunk[k + 1]] - at[trunk[k]]).norm();
+    double left = place.share * whole;
+    for (int k = place.from; k < place.to; ++k) {
+      const double length = (at[trunk[k + 1]] - at[trunk[k]]).norm();
+      if (left <= length && length > 0)
+        return at[trunk[k]] + left / length * (at[trunk[k + 1]] - at[trunk[k]]);
+      left -= length;
+    }
+    return at[trunk[place.to]];
+  }
+
+  std::optional<Vec3> aimed(int joint, const std::vector<Vec3>& at) const {
+    const Aim& aim = aims_[joint];
+    if (aim.to < 0) return std::nullopt;
+    const Vec3 way = aim.trunk >= 0 ? Vec3(on_trunk(aim.trunk + 1, at) - on_trunk(aim.trunk, at))
+                                    : Vec3(at[aim.their_to] - at[aim.their_from]);
+    return way.norm() > kNothing ? std::optional(way) : std::nullopt;
+  }
+  Vec3 our_bone(int joint) const { return rest_[aims_[joint].to] - rest_[joint]; }
+
+  // ---- the pose in which both figures are compared
+
+  // Of the motion's rest and its poses the one that is most like the document's rest: from there
+  // the shortest turns are the right ones. A rest pose made for that (T, A) is preferred.
+  void find_reference() {
+    const Mat3 mine = trunk_frames(our(), rest_).hips.value_or(Mat3::Identity());
+    const auto unlike = [&](int k) {
+      const std::vector<Vec3> at = places(source_.posed(k));
+      const auto frame = trunk_frames(their(), at).hips;
+      const Mat3 yours = frame.value_or(Mat3::Identity());
+      double sum = 0;
+      for (int j = 0; j < ours_.size(); ++j) {
+        if (aims_[j].trunk >= 0 || is_end(j)) continue;
+        const auto way = aimed(j, at);
+        if (!way || our_bone(j).norm() < kNothing) continue;
+        const Vec3 a = mine.transpose() * our_bone(j).normalized();
+        const Vec3 b = yours.transpose() * way->normalized();
+        sum += std::pow(std::acos(std::clamp(a.dot(b), -1.0, 1.0)), 2);
+      }
+      return sum;
+    };
+    constexpr double kForRest = 0.5;  // radians², for being made to be compared with
+    reference_ = -1;
+    double best = unlike(-1) - kForRest;
+    for (const int k : source_.sampled(100))
+      if (const double cost = unlike(k); cost < best) {
+        best = cost;
+        reference_ = k;
       }
   }
-  return mover;
-}
 
-// Where the bone of `joint` leads: to the one mapped joint that comes next below it, or to its only
-// child where none does. Nothing where several do: a pelvis has no direction.
-std::optional<int> next_joint(const Skeleton& skeleton, int joint,
-                              const std::vector<bool>& mapped) {
-  std::vector<int> next, open = skeleton.children(joint);
-  while (!open.empty()) {
-    const int j = open.back();
-    open.pop_back();
-    if (mapped[j]) {
-      next.push_back(j);
-      continue;
+  // ---- differences
+
+  Quat turned(const Transform& joint) const { return Quat(joint.linear()).normalized(); }
+
+  // What takes a joint's turn in the motion to that of the document's: ours = theirs · difference.
+  void find_differences() {
+    difference_.assign(std::size_t(ours_.size()), Quat::Identity());
+    const std::vector<Transform> posed = source_.posed(reference_);
+    const std::vector<Vec3> at = places(posed);
+    const Frame3 mine = trunk_frames(our(), rest_), yours = trunk_frames(their(), at);
+    std::vector<Quat> ours(std::size_t(ours_.size()), Quat::Identity());
+    for (int j = 0; j < ours_.size(); ++j) {
+      const int parent = ours_.joints[j].parent;
+      Quat turn = parent >= 0 ? ours[parent] : Quat(Quat::Identity());
+      const auto frames = [](const std::optional<Mat3>& to, const std::optional<Mat3>& from) {
+        return Quat(Mat3(*to * from->transpose()));
+      };
+      if (j == our().hips && mine.hips && yours.hips)
+        turn = frames(yours.hips, mine.hips);
+      else if (j == our().chest && mine.chest && yours.chest && mover(j) >= 0)
+        turn = frames(yours.chest, mine.chest);
+      if (const auto way = aimed(j, at);
+          way && mover(j) >= 0 && our_bone(j).norm() > kNothing && !stands_on(j))
+        turn = (least_turn(turn * our_bone(j), *way) * turn).normalized();
+      ours[j] = turn;
+      if (mover(j) >= 0) difference_[j] = (turned(posed[mover(j)]).conjugate() * turn).normalized();
     }
-    const std::vector<int> children = skeleton.children(j);
-    open.insert(open.end(), children.begin(), children.end());
+    level_head(posed, ours);
+    level_feet();
   }
-  if (next.empty()) next = skeleton.children(joint);
-  if (next.size() != 1) return std::nullopt;
-  return next[0];
-}
 
-// Turns the bone of joint j of the document at rest into that of joint m of the motion at rest.
-Quat rest_difference(const Skeleton& ours, int j, const std::vector<bool>& our_mapped,
-                     const Skeleton& theirs, int m, const std::vector<bool>& their_mapped) {
-  const auto our_next = next_joint(ours, j, our_mapped);
-  const auto their_next = next_joint(theirs, m, their_mapped);
-  if (!our_next || !their_next) return Quat::Identity();
-  const std::vector<Vec3> our_rest = rest_positions(ours), their_rest = rest_positions(theirs);
-  const Vec3 a = our_rest[*our_next] - our_rest[j], b = their_rest[*their_next] - their_rest[m];
-  if (a.norm() < 1e-9 || b.norm() < 1e-9) return Quat::Identity();
-  return least_turn(a, b);
-}
+  // Where the rest pose isn't what is compared with, the head looks ahead on average.
+  void level_head(const std::vector<Transform>& reference, const std::vector<Quat>& ours) {
+    const int head = our().head;
+    if (head < 0 || mover(head) < 0 || reference_ < 0) return;
+    int base = ours_.joints[head].parent;
+    while (base >= 0 && mover(base) < 0) base = ours_.joints[base].parent;
+    if (base < 0) return;
+    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+    for (const int k : source_.sampled(200)) {
+      const std::vector<Transform> posed = source_.posed(k);
+      const Quat q = turned(posed[mover(base)]).conjugate() * turned(posed[mover(head)]);
+      sum += q.coeffs().dot(sum) < 0 ? Eigen::Vector4d(-q.coeffs()) : q.coeffs();
+    }
+    if (sum.norm() < kNothing) return;
+    Quat mean;
+    mean.coeffs() = sum.normalized();
+    difference_[head] =
+        (mean.conjugate() * turned(reference[mover(base)]).conjugate() * ours[base]).normalized();
+  }
 
-struct Stature {
-  double hips = 0;  // of the root above the lowest joint
-  double whole = 0;
+  // ---- feet
+
+  bool stands_on(int joint) const {
+    return std::any_of(feet_.begin(), feet_.end(),
+                       [&](const FootTrack& foot) { return foot.limb.end == joint; });
+  }
+
+  // Where the motion's feet are at each time, and how high they are while they stand.
+  void find_feet() {
+    const auto add = [&](const LimbJoints& mine, const LimbJoints& yours) {
+      if (mine.end < 0 || yours.end < 0 || mover(mine.end) != yours.end || mine.upper < 0 ||
+          mover(mine.upper) != yours.upper || yours.upper < 0)
+        return;
+      feet_.push_back({});
+      feet_.back().limb = mine;
+      their_feet_.push_back(yours);
+    };
+    for (std::size_t s = 0; s < 2; ++s) add(our().legs[s], their().legs[s]);
+    if (four_legged())
+      for (std::size_t s = 0; s < 2; ++s) add(our().arms[s], their().arms[s]);
+    if (feet_.empty()) return;
+    for (int k = 0; k < source_.size(); ++k) {
+      const std::vector<Vec3> at = places(source_.posed(k));
+      for (std::size_t f = 0; f < feet_.size(); ++f) {
+        feet_[f].ankle.push_back(at[their_feet_[f].end]);
+        const int tip = their_feet_[f].tip;
+        feet_[f].toe.push_back(tip >= 0 ? at[tip] : at[their_feet_[f].end]);
+      }
+    }
+    const std::vector<Vec3> at = places(source_.posed(0));
+    leg_ = 0;
+    for (const LimbJoints& leg : their_feet_) leg_ += length_of(leg, at) / double(feet_.size());
+    find_contacts(feet_, leg_, motion_.step);
+  }
+
+  static double length_of(const LimbJoints& leg, const std::vector<Vec3>& at) {
+    return leg.lower < 0
+               ? (at[leg.end] - at[leg.upper]).norm()
+               : (at[leg.lower] - at[leg.upper]).norm() + (at[leg.end] - at[leg.lower]).norm();
+  }
+
+  // A foot that stands is as flat as at rest in the document, turned as the motion's toes are.
+  void level_feet() {
+    for (std::size_t f = 0; f < feet_.size(); ++f) {
+      const int end = feet_[f].limb.end, tip = feet_[f].limb.tip;
+      if (mover(end) < 0) continue;
+      const Vec3 mine = tip >= 0 ? level(rest_[tip] - rest_[end]) : Vec3(Vec3::Zero());
+      Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+      int used = 0;
+      const std::size_t count = feet_[f].stands.size(),
+                        step = std::max<std::size_t>(1, count / 400);
+      for (std::size_t k = 0; k < count; k += step) {
+        if (!feet_[f].stands[k]) continue;
+        const std::vector<Transform> posed = source_.posed(int(k));
+        const std::vector<Vec3> at = places(posed);
+        Vec3 yours = level(feet_[f].toe[k] - feet_[f].ankle[k]);
+        const bool toes = yours.norm() > 0.03 * leg_ && mine.norm() > kNothing;
+        const Vec3 from = toes ? mine : forward_of(our(), rest_);
+        if (!toes) yours = forward_of(their(), at);
+        const double angle = std::atan2(yours.x(), yours.z()) - std::atan2(from.x(), from.z());
+        const Quat q =
+            turned(posed[mover(end)]).conjugate() * Quat(Eigen::AngleAxisd(angle, Vec3::UnitY()));
+        sum += q.coeffs().dot(sum) < 0 ? Eigen::Vector4d(-q.coeffs()) : q.coeffs();
+        ++used;
+      }
+      if (used == 0 || sum.norm() < kNothing) continue;
+      difference_[end].coeffs() = sum.normalized();
+    }
+  }
+  static Vec3 level(Vec3 way) {
+    way.y() = 0;
+    return way;
+  }
+
+  // ---- size and place
+
+  struct Stature {
+    double hips = 0, whole = 0;  // height of the root above the lowest joint; the longest side
+  };
+  static Stature stature(const std::vector<Vec3>& at, int hips) {
+    Box3 box;
+    for (const Vec3& p : at) box.extend(p);
+    return {at[hips].y() - box.min().y(), box.sizes().maxCoeff()};
+  }
+
+  void find_scale() {
+    root_mover_ = std::max(mover(std::max(our().hips, 0)), 0);
+    if (!feet_.empty()) {
+      double mine = 0;
+      for (const FootTrack& foot : feet_)
+        mine += length_of(foot.limb, rest_) / double(feet_.size());
+      if (leg_ > kNothing) {
+        out_.scale = mine / leg_;
+        return;
+      }
+    }
+    const std::vector<Vec3> at = places(source_.posed(reference_));
+    const Stature mine = stature(rest_, 0), yours = stature(at, root_mover_);
+    constexpr double kLeast = 0.05;  // of the whole; hips lower than this are no hips
+    stands_ = mine.hips > kLeast * mine.whole && yours.hips > kLeast * yours.whole;
+    their_hips_ = yours.hips;
+    out_.scale = stands_ ? mine.hips / yours.hips : yours.whole > 0 ? mine.whole / yours.whole : 1;
+  }
+
+  // The legs' tops, in the middle: what carries the figure.
+  static Vec3 tops(const std::vector<LimbJoints>& legs, const std::vector<Vec3>& at) {
+    Vec3 sum = Vec3::Zero();
+    for (const LimbJoints& leg : legs) sum += at[leg.upper] / double(legs.size());
+    return sum;
+  }
+
+  void make_clip() {
+    out_.clip.name = motion_.name;
+    std::vector<LimbJoints> our_legs;
+    for (const FootTrack& foot : feet_) our_legs.push_back(foot.limb);
+    const double ground = our_ground();
+    double our_stance = 0, their_stance = 0;
+    for (const FootTrack& foot : feet_) {
+      our_stance += (rest_[foot.limb.end].y() - ground) / double(feet_.size());
+      their_stance += foot.stance / double(feet_.size());
+    }
+    Vec3 first = Vec3::Zero();
+    for (int k = 0; k < source_.size(); ++k) {
+      const std::vector<Transform> posed = source_.posed(k);
+      const std::vector<Vec3> at = places(posed);
+      Pose pose = pose_like(posed, at);
+      if (feet_.empty()) {
+        Vec3 start = k == 0 ? at[root_mover_] : first;
+        if (k == 0) {
+          // Where the motion's ground is at 0, a figure that begins crouching stays on it.
+          if (stands_ && std::abs(start.y() - their_hips_) < their_hips_ / 2)
+            start.y() = their_hips_;
+          first = start;
+        }
+        pose.root_position = ours_.joints[0].offset + out_.scale * (at[root_mover_] - start);
+      } else {
+        const std::vector<Vec3> mine = places(artisketch::posed_joints(ours_, pose));
+        const Vec3 theirs_top = tops(their_feet_, at);
+        Vec3 top = out_.scale * theirs_top;
+        top.y() = our_stance + out_.scale * (theirs_top.y() - their_stance);
+        pose.root_position += top - tops(our_legs, mine);
+        if (k == 0) first = level(pose.root_position - ours_.joints[0].offset);
+        pose.root_position -= first;
+      }
+      out_.clip.times.push_back(double(k) * motion_.step);
+      out_.clip.poses.push_back(std::move(pose));
+    }
+  }
+
+  // 0, where the document's figure stands on it or a little above, else its lowest joint.
+  double our_ground() const {
+    double lowest = 1e300, leg = 0;
+    for (const FootTrack& foot : feet_) {
+      leg = std::max(leg, length_of(foot.limb, rest_));
+      for (const int joint : {foot.limb.end, foot.limb.tip})
+        if (joint >= 0) lowest = std::min(lowest, rest_[joint].y());
+    }
+    constexpr double kLow = 0.35;  // of a leg: an ankle over the sole
+    return lowest >= -0.01 * leg && lowest < kLow * leg ? 0 : lowest;
+  }
+
+  Pose pose_like(const std::vector<Transform>& posed, const std::vector<Vec3>& at) const {
+    Pose pose = rest_pose(ours_);
+    std::vector<Quat> turns(std::size_t(ours_.size()));
+    for (int j = 0; j < ours_.size(); ++j) {
+      const int parent = ours_.joints[j].parent;
+      const Quat above = parent < 0 ? Quat(Quat::Identity()) : turns[parent];
+      turns[j] = above;
+      if (mover(j) >= 0) {
+        turns[j] = turned(posed[mover(j)]) * difference_[j];
+        const auto way = stands_on(j) ? std::nullopt : aimed(j, at);
+        if (way && our_bone(j).norm() > kNothing)
+          turns[j] = least_turn(turns[j] * our_bone(j), *way) * turns[j];
+      }
+      turns[j].normalize();
+      pose.rotations[j] = (above.conjugate() * turns[j]).normalized();
+    }
+    return pose;
+  }
+
+  void finish() {
+    out_.warnings = motion_.warnings;
+    out_.warnings.insert(out_.warnings.end(), out_.map.warnings.begin(), out_.map.warnings.end());
+    if (!out_.map.still.empty()) {
+      std::string names;
+      for (const int joint : out_.map.still)
+        names += (names.empty() ? "" : ", ") + ours_.joints[joint].name;
+      out_.warnings.push_back("moves nothing of " + names +
+                              "; pairs in /motion/joints say what should");
+    }
+    out_.loops = close_loop(ours_, out_.clip);
+    if (options_.plant_feet && !feet_.empty()) {
+      // What the motion's feet do, in the document's units and place.
+      const double ground = our_ground();
+      for (FootTrack& foot : feet_) {
+        foot.height = rest_[foot.limb.end].y() - ground;
+        foot.toe_height = foot.limb.tip >= 0 ? rest_[foot.limb.tip].y() - ground : foot.height;
+      }
+      plant_feet(ours_, feet_, out_.clip);
+    }
+    if (options_.in_place) stay_in_place(out_.clip);
+  }
+
+  struct OnTrunk {
+    int from = 0, to = 0;  // of the motion's trunk, between which
+    double share = 0;      // how far
+  };
+
+  const Document& document_;
+  const Skeleton& ours_;
+  const Motion& motion_;
+  Source source_;
+  const RetargetOptions& options_;
+  const std::vector<Vec3> rest_;
+  std::vector<Aim> aims_;
+  std::vector<OnTrunk> trunk_at_;
+  int reference_ = -1;
+  std::vector<Quat> difference_;
+  std::vector<FootTrack> feet_;
+  std::vector<LimbJoints> their_feet_;
+  double leg_ = 0;  // of the motion's
+  int root_mover_ = 0;
+  bool stands_ = false;
+  double their_hips_ = 0;
+  Retargeted out_;
 };
-Stature stature(const Skeleton& skeleton) {
-  double lowest = 0, highest = 0;
-  Box3 box;
-  const std::vector<Vec3> rest = rest_positions(skeleton);
-  for (const Vec3& p : rest) {
-    lowest = std::min(lowest, p.y() - rest[0].y());
-    highest = std::max(highest, p.y() - rest[0].y());
-    box.extend(p);
-  }
-  return {-lowest, box.sizes().maxCoeff()};
-}
 
 }  // namespace
 
-Result<Clip> retargeted(const Document& document, const Motion& motion) {
-  const Skeleton &ours = document.skeleton, &theirs = motion.skeleton;
-  const std::vector<int> mover = movers(document, motion);
-  std::vector<bool> our_mapped(ours.size(), false), their_mapped(theirs.size(), false);
-  for (int j = 0; j < ours.size(); ++j)
-    if (mover[j] >= 0) our_mapped[j] = their_mapped[mover[j]] = true;
-  if (std::find(our_mapped.begin(), our_mapped.end(), true) == our_mapped.end())
-    return bad_input("the motion '" + motion.name + "' moves no joint of the document: its '" +
-                     theirs.joints[0].name + "' is none; name pairs in /motion/joints, like { \"" +
-                     theirs.joints[0].name + "\": \"" + ours.joints[0].name + "\" }");
+Result<Retargeted> retargeted(const Document& document, const Motion& motion,
+                              const RetargetOptions& options) {
+  return Retargeter(document, motion, options).run();
+}
 
-  std::vector<Quat> difference(ours.size(), Quat::Identity());
-  for (int j = 0; j < ours.size(); ++j)
-    if (mover[j] >= 0)
-      difference[j] = rest_difference(ours, j, our_mapped, theirs, mover[j], their_mapped);
-
-  const Stature our_size = stature(ours), their_size = stature(theirs);
-  constexpr double kLeast = 0.05;  // of the whole; hips lower than this are no hips
-  const bool stands =
-      our_size.hips > kLeast * our_size.whole && their_size.hips > kLeast * their_size.whole;
-  const double scale = stands                 ? our_size.hips / their_size.hips
-                       : their_size.whole > 0 ? our_size.whole / their_size.whole
-                                              : 1;
-  const int way = std::max(mover[0], 0);  // whose way the root follows
-  const auto place = [&](const Pose& pose) {
-    return Vec3(posed_joints(theirs, pose)[way].translation());
-  };
-  Vec3 start = place(motion.poses[0]);
-  // Where the motion's ground is at 0, a figure that begins crouching stays on it.
-  if (stands && way == 0 && std::abs(start.y() - their_size.hips) < their_size.hips / 2)
-    start.y() = their_size.hips;
-
-  Clip clip{motion.name, {}, {}};
-  for (std::size_t k = 0; k < motion.poses.size(); ++k) {
-    const std::vector<Transform> posed = posed_joints(theirs, motion.poses[k]);
-    Pose pose = rest_pose(ours);
-    pose.root_position = ours.joints[0].offset + scale * (place(motion.poses[k]) - start);
-    std::vector<Quat> turned(ours.size());
-    for (int j = 0; j < ours.size(); ++j) {
-      const int parent = ours.joints[j].parent;
-      const Quat above = parent < 0 ? Quat(Quat::Identity()) : turned[parent];
-      turned[j] = mover[j] < 0 ? above : Quat(posed[mover[j]].linear()) * difference[j];
-      turned[j].normalize();
-      pose.rotations[j] = (above.conjugate() * turned[j]).normalized();
+std::string mapping_words(const Document& document, const Motion& motion,
+                          const Retargeted& result) {
+  int guessed = 0;
+  std::string guesses;
+  for (const JointMatch& match : result.map.matches)
+    if (match.how == Match::guessed) {
+      ++guessed;
+      guesses += (guesses.empty() ? "" : ", ") + document.skeleton.joints[match.joint].name +
+                 " by " + motion.skeleton.joints[match.mover].name;
     }
-    clip.times.push_back(double(k) * motion.step);
-    clip.poses.push_back(std::move(pose));
-  }
-  return clip;
+  std::string words = "motion " + motion.name + ": " +
+                      counted((long long)result.map.matches.size(), "joint") + " moved, " +
+                      (result.z_up ? "z" : "y") + " up, " +
+                      counted((long long)motion.poses.size(), "pose");
+  if (result.loops) words += ", loops";
+  if (guessed > 0) words += "; by the tree's shape: " + guesses;
+  return words;
 }
 
 }  // namespace artisketch

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "document/templates.h"
+#include "files/bvh_file.h"
+#include "model/rig/actor.h"
+
 namespace artisketch {
 namespace {
 
@@ -25,8 +29,8 @@ Motion motion() {
   motion.name = "walk";
   motion.step = 0.5;
   motion.skeleton.joints = {{"Hips", -1, {0, 0, 0}, -1, ""},
-                            {"LeftArm", 0, {2, 10, 0}, -1, ""},
-                            {"LeftHand", 1, {0, -10, 0}, -1, ""},
+                            {"Limb", 0, {2, 10, 0}, -1, ""},
+                            {"Claw", 1, {0, -10, 0}, -1, ""},
                             {"Foot", 0, {0, -20, 0}, -1, ""}};
   for (int k = 0; k < 3; ++k) {
     Pose pose = rest_pose(motion.skeleton);
@@ -38,51 +42,76 @@ Motion motion() {
   return motion;
 }
 
+std::vector<Vec3> places(const Skeleton& skeleton, const Pose& pose) {
+  std::vector<Vec3> at;
+  for (const Transform& joint : posed_joints(skeleton, pose)) at.push_back(joint.translation());
+  return at;
+}
+
 Vec3 bone(const Skeleton& skeleton, const Pose& pose, int from, int to) {
-  const std::vector<Transform> posed = posed_joints(skeleton, pose);
-  return (posed[to].translation() - posed[from].translation()).normalized();
+  const std::vector<Vec3> at = places(skeleton, pose);
+  return (at[to] - at[from]).normalized();
+}
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return degrees(std::atan2(a.cross(b).norm(), a.dot(b)));
 }
 
 TEST(Retarget, BonesPointAsTheMotionsDoThoughTheRestPosesDiffer) {
   Document document = figure();
-  document.motion.joints = {{"LeftArm", 1}, {"LeftHand", 2}};
+  document.motion.joints = {{"Limb", 1}, {"Claw", 2}};
   const Motion source = motion();
-  const Result<Clip> clip = retargeted(document, source);
-  ASSERT_TRUE(clip);
-  EXPECT_EQ(clip->name, "walk");
-  EXPECT_EQ(clip->times, (std::vector<double>{0, 0.5, 1}));
+  const Result<Retargeted> result = retargeted(document, source, {});
+  ASSERT_TRUE(result);
+  const Clip& clip = result->clip;
+  EXPECT_EQ(clip.name, "walk");
+  EXPECT_EQ(clip.times, (std::vector<double>{0, 0.5, 1}));
   for (int k = 0; k < 3; ++k) {
     const Vec3 theirs = bone(source.skeleton, source.poses[k], 1, 2);
-    EXPECT_LT((bone(document.skeleton, clip->poses[k], 1, 2) - theirs).norm(), 1e-9);
-    for (const Quat& q : clip->poses[k].rotations) EXPECT_NEAR(q.norm(), 1, 1e-12);
+    EXPECT_LT((bone(document.skeleton, clip.poses[k], 1, 2) - theirs).norm(), 1e-9);
+    for (const Quat& q : clip.poses[k].rotations) EXPECT_NEAR(q.norm(), 1, 1e-12);
   }
 }
 
 TEST(Retarget, TheRootsWayIsScaledByTheHeightOfTheHips) {
-  const Result<Clip> clip = retargeted(figure(), motion());
-  ASSERT_TRUE(clip);
+  const Result<Retargeted> result = retargeted(figure(), motion(), {});
+  ASSERT_TRUE(result);
   for (int k = 0; k < 3; ++k)
-    EXPECT_LT((clip->poses[k].root_position - Vec3(0, 2 - 0.1 * k, 1.0 * k)).norm(), 1e-12);
+    EXPECT_LT((result->clip.poses[k].root_position - Vec3(0, 2 - 0.1 * k, 1.0 * k)).norm(), 1e-12);
 }
 
 TEST(Retarget, EqualNamesBelongTogetherWhateverTheirCase) {
   const Document document = figure();
   const Motion source = motion();  // "Hips" and "Foot" are known, the arm is not
-  const Result<Clip> clip = retargeted(document, source);
-  ASSERT_TRUE(clip);
-  EXPECT_LT(clip->poses[2].rotations[0].angularDistance(about(40, Vec3::UnitY())), 1e-9);
-  EXPECT_LT(clip->poses[2].rotations[1].angularDistance(Quat::Identity()), 1e-9);
+  const Result<Retargeted> result = retargeted(document, source, {});
+  ASSERT_TRUE(result);
+  EXPECT_LT(result->clip.poses[2].rotations[0].angularDistance(about(40, Vec3::UnitY())), 1e-9);
+  EXPECT_LT(result->clip.poses[2].rotations[1].angularDistance(Quat::Identity()), 1e-9);
+  EXPECT_EQ(result->map.still, std::vector<int>{1});
+  ASSERT_EQ(result->warnings.size(), 1u);
+  EXPECT_NE(result->warnings[0].find("upper_arm.L"), std::string::npos);
 }
 
 TEST(Retarget, AMotionOfUnknownNamesSaysHowToMapThem) {
   Document document = figure();
   Motion source = motion();
-  for (Joint& joint : source.skeleton.joints) joint.name = "mixamorig:" + joint.name;
-  const Result<Clip> none = retargeted(document, source);
+  const char* unknown[] = {"ab", "cd", "ef", "gh"};
+  for (int j = 0; j < 4; ++j) source.skeleton.joints[j].name = unknown[j];
+  const Result<Retargeted> none = retargeted(document, source, {});
   ASSERT_FALSE(none);
   EXPECT_NE(none.error().text().find("/motion/joints"), std::string::npos);
-  document.motion.joints = {{"mixamorig:Hips", 0}};
-  EXPECT_TRUE(retargeted(document, source));
+  document.motion.joints = {{"ab", 0}};
+  EXPECT_TRUE(retargeted(document, source, {}));
+}
+
+TEST(Retarget, APairOfNamesThatTheMotionDoesNotHaveIsNamed) {
+  Document document = figure();
+  document.motion.joints = {{"Hip", 0}};
+  const Result<Retargeted> result = retargeted(document, motion(), {});
+  ASSERT_TRUE(result);
+  EXPECT_NE(result->warnings[0].find("'Hip'"), std::string::npos);
+  EXPECT_NE(result->warnings[0].find("'Hips'"), std::string::npos);
+  EXPECT_EQ(result->map.mover[0], 0);  // by its name
 }
 
 TEST(Retarget, FlatSkeletonsDoNotDivideByNothing) {
@@ -90,12 +119,210 @@ TEST(Retarget, FlatSkeletonsDoNotDivideByNothing) {
   Motion source = motion();
   for (Joint& joint : source.skeleton.joints) joint.offset.setZero();
   for (Joint& joint : document.skeleton.joints) joint.offset.setZero();
-  const Result<Clip> clip = retargeted(document, source);
-  ASSERT_TRUE(clip);
-  for (const Pose& pose : clip->poses) {
+  const Result<Retargeted> result = retargeted(document, source, {});
+  ASSERT_TRUE(result);
+  for (const Pose& pose : result->clip.poses) {
     EXPECT_TRUE(pose.root_position.allFinite());
     for (const Quat& q : pose.rotations) EXPECT_TRUE(q.coeffs().allFinite());
   }
+}
+
+// ---------------------------------------------------------------- every vocabulary, rest and axis
+
+struct Kind {
+  const Vocabulary* names;
+  Rest rest;
+  bool z_up;
+};
+void PrintTo(const Kind& kind, std::ostream* out) {
+  *out << kind.names->name << ", " << rest_word(kind.rest) << ", " << (kind.z_up ? "z" : "y")
+       << " up";
+}
+std::vector<Kind> kinds(const std::vector<Vocabulary>& all) {
+  std::vector<Kind> kinds;
+  for (const Vocabulary& names : all)
+    for (const Rest rest : kRests)
+      for (const bool z_up : {false, true}) kinds.push_back({&names, rest, z_up});
+  return kinds;
+}
+
+Document document_of(Template kind) {
+  Document document;
+  document.skeleton = template_skeleton(kind);
+  return document;
+}
+
+// The motion as it would be read from a file.
+Motion read(const Actor& actor, const Kind& kind) {
+  const Motion made = recorded(actor, *kind.names, kind.rest, kind.z_up);
+  Result<Motion> read = parse_bvh(bvh_text(made), "walk", "walk.bvh");
+  EXPECT_TRUE(read) << read.error().text();
+  return read ? *read : made;
+}
+
+struct Apart {
+  double limbs = 0, trunk = 0;  // degrees, the most over all poses
+};
+// How far limbs and trunk are off the actor's: pairs of the document's and the actor's joints.
+Apart apart(const Skeleton& skeleton, const Clip& clip, const Actor& actor,
+            const std::vector<std::array<std::string, 4>>& limbs, const std::string& hips) {
+  Apart most;
+  for (std::size_t k = 0; k < clip.poses.size(); ++k) {
+    const std::vector<Vec3> mine = places(skeleton, clip.poses[k]), truth = actor.at(int(k));
+    const auto off = [&](const std::array<std::string, 4>& pair) {
+      const Vec3 a = mine[skeleton.find(pair[1])] - mine[skeleton.find(pair[0])];
+      const Vec3 b = truth[actor.find(pair[3])] - truth[actor.find(pair[2])];
+      return angle_between(a, b);
+    };
+    for (const char* side : {".L", ".R"})
+      for (std::array<std::string, 4> pair : limbs) {
+        for (std::string& name : pair) name += side;
+        most.limbs = std::max(most.limbs, off(pair));
+      }
+    most.trunk = std::max(most.trunk, off({hips, "head", "hips", "head"}));
+  }
+  return most;
+}
+
+class RetargetPerson : public testing::TestWithParam<Kind> {};
+
+TEST_P(RetargetPerson, LimbsAndTrunkPointAsTheActorsDo) {
+  const Actor actor = walking_person();
+  const Document document = document_of(Template::human);
+  RetargetOptions raw;
+  raw.plant_feet = false;
+  const Result<Retargeted> result = retargeted(document, read(actor, GetParam()), raw);
+  ASSERT_TRUE(result) << result.error().text();
+  EXPECT_TRUE(result->map.still.empty()) << result->warnings.front();
+  EXPECT_TRUE(result->warnings.empty());
+  EXPECT_EQ(result->z_up, GetParam().z_up);
+  const Apart off = apart(document.skeleton, result->clip, actor,
+                          {{"upper_arm", "forearm", "upper_arm", "forearm"},
+                           {"forearm", "hand", "forearm", "hand"},
+                           {"thigh", "shin", "thigh", "shin"},
+                           {"shin", "foot", "shin", "foot"}},
+                          "hips");
+  EXPECT_LT(off.limbs, 1);
+  EXPECT_LT(off.trunk, 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RetargetPerson, testing::ValuesIn(kinds(vocabularies())));
+
+class RetargetFourLegs : public testing::TestWithParam<Kind> {};
+
+TEST_P(RetargetFourLegs, LimbsAndTrunkPointAsTheActorsDo) {
+  const Actor actor = walking_dog();
+  const Document document = document_of(Template::quadruped);
+  RetargetOptions raw;
+  raw.plant_feet = false;
+  const Result<Retargeted> result = retargeted(document, read(actor, GetParam()), raw);
+  ASSERT_TRUE(result) << result.error().text();
+  EXPECT_TRUE(result->map.still.empty()) << result->warnings.front();
+  EXPECT_EQ(result->z_up, GetParam().z_up);
+  const Apart off = apart(document.skeleton, result->clip, actor,
+                          {{"fore_thigh", "fore_shin", "upper_arm", "forearm"},
+                           {"fore_shin", "fore_paw", "forearm", "hand"},
+                           {"hind_thigh", "hind_shin", "thigh", "shin"},
+                           {"hind_shin", "hind_paw", "shin", "foot"}},
+                          "body");
+  EXPECT_LT(off.limbs, 1);
+  EXPECT_LT(off.trunk, 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RetargetFourLegs,
+                         testing::ValuesIn(kinds(four_legged_vocabularies())));
+
+// ---------------------------------------------------------------- feet
+
+// The farthest that a foot is from the ground while the actor's stands flat, and the most it slides
+// in one such contact, of the height of the hips.
+struct Feet {
+  double off_ground = 0, slides = 0, below = 0;
+};
+Feet measure(const Document& document, const Clip& clip, const Actor& actor,
+             const std::vector<std::pair<std::string, std::string>>& feet) {
+  const Skeleton& skeleton = document.skeleton;
+  const std::vector<Vec3> rest = rest_positions(skeleton);
+  const double hips = rest[0].y();
+  Feet most;
+  for (const char* side : {".L", ".R"})
+    for (const auto& [mine, theirs] : feet) {
+      const int foot = skeleton.find(mine + side), truth = actor.find(theirs + side);
+      std::optional<Vec3> stood;
+      double stance = 1e9;
+      for (std::size_t k = 0; k < clip.poses.size(); ++k)
+        stance = std::min(stance, actor.at(int(k))[truth].y());
+      for (std::size_t k = 1; k + 1 < clip.poses.size(); ++k) {
+        const Vec3 before = actor.at(int(k) - 1)[truth], now = actor.at(int(k))[truth],
+                   after = actor.at(int(k) + 1)[truth];
+        const Vec3 at = places(skeleton, clip.poses[k])[foot];
+        most.below = std::max(most.below, (rest[foot].y() - at.y()) / hips);
+        const bool stands = now.y() < stance + 0.003 && (after - before).norm() < 0.006;
+        if (!stands) {
+          stood.reset();
+          continue;
+        }
+        if (!stood) stood = at;
+        most.off_ground = std::max(most.off_ground, std::abs(at.y() - rest[foot].y()) / hips);
+        most.slides = std::max(most.slides, (at - *stood).norm() / hips);
+      }
+    }
+  return most;
+}
+
+// Other proportions than the actor's: short legs, shins longer than thighs, big feet.
+Document short_legged() {
+  Document document = document_of(Template::human);
+  for (Joint& joint : document.skeleton.joints) {
+    if (joint.name.starts_with("shin")) joint.offset *= 0.6;
+    if (joint.name.starts_with("foot.")) joint.offset *= 0.8;
+  }
+  const double lost = 0.4 * 0.4 + 0.2 * 0.39;
+  document.skeleton.joints[0].offset.y() -= lost;
+  return document;
+}
+
+TEST(RetargetFeet, StandWhereTheyStandOnTheGround) {
+  const Actor actor = walking_person();
+  for (const Document& document : {document_of(Template::human), short_legged()})
+    for (const bool z_up : {false, true}) {
+      const Kind kind{&vocabularies()[0], Rest::along_x, z_up};
+      const Result<Retargeted> result = retargeted(document, read(actor, kind), {});
+      ASSERT_TRUE(result);
+      const Feet feet = measure(document, result->clip, actor, {{"foot", "foot"}});
+      EXPECT_LT(feet.off_ground, 0.01);
+      EXPECT_LT(feet.slides, 0.01);
+      EXPECT_LT(feet.below, 0.01);
+    }
+}
+
+TEST(RetargetFeet, OfFourLegsStandToo) {
+  const Actor actor = walking_dog();
+  const Document document = document_of(Template::quadruped);
+  const Kind kind{&four_legged_vocabularies()[0], Rest::t_pose, false};
+  const Result<Retargeted> result = retargeted(document, read(actor, kind), {});
+  ASSERT_TRUE(result);
+  const Feet feet =
+      measure(document, result->clip, actor, {{"hind_paw", "foot"}, {"fore_paw", "hand"}});
+  EXPECT_LT(feet.off_ground, 0.01);
+  EXPECT_LT(feet.slides, 0.01);
+}
+
+TEST(RetargetFeet, AWalkGoesAsFarAsItsLegsCarryItOrStaysInPlace) {
+  const Actor actor = walking_person();
+  const Document document = document_of(Template::human);
+  const Motion motion = read(actor, {&vocabularies()[0], Rest::t_pose, false});
+  const Result<Retargeted> goes = retargeted(document, motion, {});
+  ASSERT_TRUE(goes);
+  const double legs = 0.79 / 0.83;
+  EXPECT_NEAR(goes->clip.poses.back().root_position.z() - goes->clip.poses[0].root_position.z(),
+              legs * 2.4, 0.03);
+  EXPECT_TRUE(goes->loops);
+  RetargetOptions options;
+  options.in_place = true;
+  const Result<Retargeted> stays = retargeted(document, motion, options);
+  ASSERT_TRUE(stays);
+  for (const Pose& pose : stays->clip.poses) EXPECT_LT(std::abs(pose.root_position.z()), 0.05);
 }
 
 }  // namespace
