@@ -75,9 +75,10 @@ Document with_outline_edited(Document d, int f, int c, Bytes& bytes) {
       if (whole.closed && self_crossing(whole)) std::abort();
       return with_contour_points(std::move(d), f, c, whole.points);
     }
-    default:
-      return with_contour_joint(std::move(d), f, c,
-                                bytes.ConsumeIntegralInRange(0, d.skeleton.size() - 1));
+    default: {
+      const int joint = bytes.ConsumeIntegralInRange(0, d.skeleton.size() - 1);
+      return with_contour_joint(std::move(d), f, c, joint);
+    }
   }
 }
 
