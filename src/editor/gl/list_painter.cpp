@@ -25,13 +25,22 @@ void main() {
   gl_Position = projection * vec4(position, 0.0, 1.0);
 })";
 
+// Seen from near, from twice its size on, a picture shows its pixels as squares with soft edges:
+// what is outlined is the pixel, not a blur of it. Smaller ones are filtered as usual.
 constexpr const char* kFragment = R"(#version 300 es
 precision highp float;
 uniform sampler2D picture;
 in vec2 at;
 in vec4 tint;
 out vec4 result;
-void main() { result = tint * texture(picture, at); })";
+void main() {
+  vec2 size = vec2(textureSize(picture, 0));
+  vec2 texel = at * size;
+  vec2 edge = floor(texel + 0.5);
+  vec2 width = clamp(2.0 * fwidth(texel), 1e-4, 1.0);  // of the soft edge, in texels
+  texel = edge + clamp((texel - edge) / width, -0.5, 0.5);
+  result = tint * texture(picture, texel / size);
+})";
 
 static_assert(sizeof(ImDrawIdx) == 4);
 
