@@ -311,7 +311,11 @@ const artisketch = (() => {
     const listed = files.recents().catch(() => []);
     example(examples[0][0]).catch(() => {}); // is needed soon
     // The context that the editor then gets: it keeps what was drawn, so that only changes need be.
-    canvas.getContext('webgl2', {alpha: false, antialias: false, depth: false, preserveDrawingBuffer: true});
+    const drawsWith = {alpha: false, antialias: false, depth: false, preserveDrawingBuffer: true};
+    if (!canvas.getContext('webgl2', drawsWith)) {
+      throw new Error('this browser gives it nothing to draw with (WebGL 2). Turn graphics acceleration on ' +
+        'in its settings and load the page anew, or open it in a current Chrome, Edge, Firefox or Safari.');
+    }
     const begun = await createEditor({
       canvas,
       host,

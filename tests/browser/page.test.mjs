@@ -151,6 +151,27 @@ test('the downloaded model is valid, and the command line\'s', async (t) => {
   assert.ok(apart <= 1e-4, `apart by ${apart}`);
 });
 
+test('a page that lacks WebGL 2 says what to do, and does nothing else', async (t) => {
+  const context = await browser(t);
+  await context.addInitScript(() => {
+    const context = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+      return kind === 'webgl2' ? null : context.call(this, kind, ...more);
+    };
+  });
+  const page = await context.newPage();
+  const faults = [];
+  page.on('pageerror', (error) => faults.push(error));
+  await page.goto(site.url);
+  const failure = page.locator('#failure');
+  await failure.waitFor({state: 'visible'});
+  assert.match(await failure.textContent(), /graphics acceleration/);
+  await page.mouse.move(300, 300);
+  await page.keyboard.press('d');
+  await page.waitForTimeout(1000);
+  assert.deepEqual(faults, []);
+});
+
 test('a worker that crashes or lacks memory is reported in words, and the next one works', async (t) => {
   const context = await browser(t);
   let wrong = 'crash';
