@@ -326,6 +326,18 @@ TEST_F(Files, BlankPaperIsAsLargeAsTheOthers) {
 
 // ---------------------------------------------------------------- the strip
 
+TEST_F(Files, ADrawingIsRenamed) {
+  h.right_click("Drawing card 2");
+  h.click("Rename drawing");
+  h.frames(2);
+  h.key(ImGuiKey_A, ImGuiMod_Ctrl);
+  h.type("running");
+  h.click("Rename");
+  h.frames(2);
+  EXPECT_EQ(h.document().frames[1].name, "running");
+  expect_step("Rename drawing");
+}
+
 TEST_F(Files, TheStripsMenuCopiesMovesAndRemoves) {
   h.right_click("Drawing card 1");
   h.click("Duplicate drawing");

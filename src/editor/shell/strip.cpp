@@ -11,17 +11,37 @@ namespace artisketch {
 
 namespace {
 
+void rename_drawing(App& app, int f) {
+  Question question;
+  question.title = "Rename drawing";
+  question.words = "A name for it, or none:";
+  question.asks_path = true;
+  question.path = app.document().frames[std::size_t(f)].name;
+  question.with_path = [&app, f](const std::string& name) {
+    if (f >= int(app.document().frames.size()) ||
+        name == app.document().frames[std::size_t(f)].name)
+      return;
+    Document next = app.document();
+    next.frames[std::size_t(f)].name = name;
+    app.session.commit("Rename drawing", std::move(next));
+  };
+  question.answers = {{"Rename", {}, true}, {"Cancel", {}}};
+  app.question = std::move(question);
+}
+
 void drawing_menu(App& app, int f) {
   Menu menu;
   if (!menu) return;
   const Document& document = app.document();
   const auto move_to = [&](int to) {
     app.session.commit("Move drawing", with_frame_moved(document, f, to));
-    app.session.selection.frame = to;
+    app.session.show_frame(to);
   };
-  if (menu.line("Duplicate drawing")) {
+  if (menu.line("Rename drawing")) {
+    rename_drawing(app, f);
+  } else if (menu.line("Duplicate drawing")) {
     app.session.commit("Duplicate drawing", with_frame_copied(document, f));
-    app.session.selection.frame = f + 1;
+    app.session.show_frame(f + 1);
   } else if (menu.line("Move left", "", f > 0)) {
     move_to(f - 1);
   } else if (menu.line("Move right", "", f + 1 < int(document.frames.size()))) {
@@ -50,7 +70,7 @@ void move_drawing(App& app, int f, const Rect& place, float step, const Press& p
   moving.reset();
   if (to == f) return;
   app.session.commit("Move drawing", with_frame_moved(app.document(), f, to));
-  app.session.selection.frame = to;
+  app.session.show_frame(to);
 }
 
 // The document's one camera.
@@ -73,7 +93,7 @@ void card(App& app, int f, const Rect& place, bool slim, bool narrow) {
   const std::string name = drawing_words(app.document(), f);
   const Press press = press_area("Drawing card " + number, place, true, on);
   if (press.clicked) {
-    app.session.selection.frame = f;
+    app.session.show_frame(f);
     app.session.selection.contour = -1;
   }
   drawing_menu(app, f);
@@ -112,6 +132,8 @@ void card(App& app, int f, const Rect& place, bool slim, bool narrow) {
     write_icon(at, IconSize::small, t.muted, icon::kCheck);
     mark.cut_left(18);
     write(mark, Font::caption, t.muted, narrow ? "reference" : "reference pose");
+  } else if (c.outlined == 0) {
+    // Nothing is compared.
   } else if (f < int(app.session.live.model ? app.session.live.fits.size()
                      : app.session.built    ? app.session.built->fits.size()
                                             : 0)) {
