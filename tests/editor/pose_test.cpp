@@ -238,12 +238,12 @@ TEST_F(Calibrated, OnlyWhatIsTickedIsTaken) {
   EXPECT_EQ(turned(h, was, "head", 1), 0);
 }
 
-TEST_F(Calibrated, SpaceShowsMineWhileItIsHeld) {
+TEST_F(Calibrated, PShowsMineWhileItIsHeld) {
   h.key(ImGuiKey_Period);
   const Vec2 theirs = h.middle("Joint Head tip");
-  h.hold(ImGuiKey_Space, true);
+  h.hold(ImGuiKey_P, true);
   const Vec2 mine = h.middle("Joint Head tip");
-  h.hold(ImGuiKey_Space, false);
+  h.hold(ImGuiKey_P, false);
   EXPECT_EQ(h.middle("Joint Head tip"), theirs);
   EXPECT_NE(mine, theirs);
 }

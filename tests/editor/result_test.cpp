@@ -122,7 +122,7 @@ TEST_F(ResultMode, DeleteWithoutAKeyDeletesNothing) {
 TEST_F(ResultMode, PlayMovesTheModelAndStops) {
   h.click("Pose tool");
   const Vec2 hand = h.middle("Pose Hand L");
-  h.key(ImGuiKey_Space);
+  h.key(ImGuiKey_P);
   EXPECT_NE(h.find("Pause"), nullptr);
   h.wait(0.5);
   EXPECT_GT((h.middle("Pose Hand L") - hand).norm(), 2);

@@ -21,6 +21,7 @@ Pointer pointer_anywhere() {
   p.wheel = io.MouseWheel;
   p.moved = pointer_moved();
   p.alt = io.KeyAlt;
+  p.shift = io.KeyShift;
   if (io.WantTextInput) return p;
   p.enter = ImGui::IsKeyPressed(ImGuiKey_Enter, false);
   p.tab = ImGui::IsKeyPressed(ImGuiKey_Tab);
@@ -51,6 +52,10 @@ Pointer pointer_on_model() {
   p.released = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
   p.dragging = pointer_dragged();
   return p;
+}
+
+bool pan_key_held() {
+  return ImGui::IsKeyDown(ImGuiKey_Space) && !ImGui::GetIO().WantTextInput;
 }
 
 float apart(ImVec2 a, ImVec2 b) {

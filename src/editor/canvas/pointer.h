@@ -13,6 +13,9 @@ inline constexpr float kReach = 9, kCloseReach = 12;  // points
 Pointer pointer_on_sketch(const Rect& place, const OnScreen& on);
 Pointer pointer_on_model();
 
+// Space is held: the pointer takes the view along, in every mode, and no tool has it.
+bool pan_key_held();
+
 // Whether the pointer drags the control shown last, up to its release.
 bool item_dragged();
 // The same of the pointer itself. The last move may come in one frame with the release: that frame

@@ -34,7 +34,7 @@ struct Pointer {
   bool dragging = false;  // held, and moved farther than a hand trembles
   bool moved = false;     // since the frame before
   bool double_clicked = false;
-  bool alt = false;                                    // held
+  bool alt = false, shift = false;                     // held
   bool enter = false, tab = false, backspace = false;  // as they go down
 };
 

@@ -58,6 +58,8 @@ struct View {
   bool model_bones = false;
   std::array<bool, kModes> swapped{};  // tablets: the model is large, the drawing its inset
   Splits splits;
+  double scrolled_at = -1;  // seconds: when a trackpad scrolled last
+  bool panning = false;     // the press under way began with Space held
 
   double tolerance = kUsualTolerance;  // of Trace, as it was used last
   bool both_sides = true;              // Skeleton: what is done to one side is done to the other
@@ -65,6 +67,7 @@ struct View {
   ExportChoice export_choice;
 
   bool choosing_pose = false;                                  // to copy: the drawings are listed
+  bool choosing_copy = false;                                  // where to copy outlines
   bool exporting = false, all_drawings = false, help = false;  // sheets
   float strip_scroll = 0;                                      // points
   bool dark = true;

@@ -34,7 +34,7 @@ bool navigate(Orbit& orbit, const Fingers& fingers, const ViewProjection& projec
                        place.holds(io.MousePos);
   if (hovered && io.MouseWheel != 0) orbit.distance *= std::pow(0.9, io.MouseWheel);
   const bool panning = hovered && (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) ||
-                                   (press.held && io.KeyShift));
+                                   (press.held && (io.KeyShift || pan_key_held())));
   if (panning) {
     pan(orbit, io.MouseDelta, projection);
   } else if (press.held && free_to_turn) {

@@ -1,6 +1,7 @@
 // What lies over the window for a moment: menu, questions, shortcuts, toasts; and the status line.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "editor/canvas/controls.h"
 #include "editor/session/files.h"
@@ -121,23 +122,44 @@ void question_sheet(App& app, float width, float height) {
 namespace {
 
 struct Shortcut {
-  std::string words, key;
+  std::string words, key;  // without a key: a heading
 };
 
-// Each key once: tools of several modes share theirs.
-std::vector<Shortcut> shortcuts(const App& app) {
-  std::vector<Shortcut> lines;
+// Of one mode, or of all: a heading and a line for each key.
+std::vector<Shortcut> shortcuts(const App& app, std::optional<Mode> mode, const char* heading) {
+  std::vector<Shortcut> lines{{heading, ""}};
   for (const Command& command : app.commands) {
     const std::string key = key_words(command, app.services.platform.mac_keys());
-    const auto same = [&](const Shortcut& line) {
-      return line.key == key && line.words == command.name;
-    };
-    if (!key.empty() && std::none_of(lines.begin(), lines.end(), same))
-      lines.push_back({command.name, key});
+    if (!key.empty() && command.mode == mode) lines.push_back({command.name, key});
   }
+  if (mode == Mode::pose) lines.push_back({"Your own pose, while held", "P"});
+  if (mode) return lines;
   lines.push_back({"Zoom", "Wheel"});
-  lines.push_back({"Pan", "Middle drag"});
+  lines.push_back({"Pan", "Space drag"});
   return lines;
+}
+
+// In columns of about one height, a mode's lines together.
+std::vector<std::vector<Shortcut>> shortcut_columns(const App& app, int columns) {
+  struct Group {
+    std::optional<Mode> mode;
+    const char* heading;
+  };
+  constexpr Group kGroups[] = {{std::nullopt, "Everywhere"},
+                               {Mode::outline, "Outline"},
+                               {Mode::skeleton, "Skeleton"},
+                               {Mode::pose, "Pose"},
+                               {Mode::result, "Result"}};
+  std::vector<std::vector<Shortcut>> all(static_cast<std::size_t>(columns));
+  for (const Group& group : kGroups) {
+    // Where there is room for little, that is what can be done here.
+    if (columns == 1 && group.mode && group.mode != app.view.mode) continue;
+    const std::vector<Shortcut> lines = shortcuts(app, group.mode, group.heading);
+    auto shortest = std::min_element(
+        all.begin(), all.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    shortest->insert(shortest->end(), lines.begin(), lines.end());
+  }
+  return all;
 }
 
 }  // namespace
@@ -145,12 +167,14 @@ std::vector<Shortcut> shortcuts(const App& app) {
 void shortcut_sheet(App& app, float width, float height) {
   if (!app.view.help) return;
   const Theme& t = theme();
-  const std::vector<Shortcut> lines = shortcuts(app);
   const int columns = width < 760 ? 1 : 3;
-  const int rows = (int(lines.size()) + columns - 1) / columns;
-  constexpr float kRow = 28;
-  const Rect place = Rect{0, 0, width, height}.middle(
-      std::min(260.0f * float(columns) + 40, width - 24), kRow * float(rows) + 92);
+  const std::vector<std::vector<Shortcut>> all = shortcut_columns(app, columns);
+  std::size_t rows = 0;
+  for (const std::vector<Shortcut>& lines : all) rows = std::max(rows, lines.size());
+  const float line = std::clamp((height - 24 - 92) / float(rows), 16.0f, 26.0f);
+  const Rect place =
+      Rect{0, 0, width, height}.middle(std::min(290.0f * float(columns) + 40, width - 24),
+                                       std::min(line * float(rows) + 92, height - 16));
   if (!over_all(place, width, height)) {
     app.view.help = false;
     return;
@@ -165,13 +189,18 @@ void shortcut_sheet(App& app, float width, float height) {
   if (icon_button("Close", head.cut_right(28).middle(28, 28), close)) app.view.help = false;
   write(head, Font::title, t.text, "Shortcuts");
   const float column = (place.w - 48) / float(columns);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    Rect row{place.x + 24 + column * float(int(i) / rows),
-             place.y + 64 + kRow * float(int(i) % rows), column - 24, kRow};
-    const float wide = text_width(Font::small, lines[i].key) + 14;
-    key_cap(row.cut_right(wide).middle(wide, 20), lines[i].key);
-    write(row, Font::body, t.text, lines[i].words);
-  }
+  for (std::size_t c = 0; c < all.size(); ++c)
+    for (std::size_t i = 0; i < all[c].size(); ++i) {
+      const Shortcut& shortcut = all[c][i];
+      Rect row{place.x + 24 + column * float(c), place.y + 64 + line * float(i), column - 24, line};
+      if (shortcut.key.empty()) {
+        write(row, Font::body_bold, t.muted, shortcut.words);
+        continue;
+      }
+      const float wide = text_width(Font::small, shortcut.key) + 14;
+      key_cap(row.cut_right(wide).middle(wide, std::min(20.0f, line - 2)), shortcut.key);
+      write(row, Font::body, t.text, shortcut.words);
+    }
 }
 
 void toasts(App& app, const Layout& layout) {

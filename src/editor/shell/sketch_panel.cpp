@@ -7,6 +7,7 @@
 #include "editor/canvas/controls.h"
 #include "editor/canvas/pointer.h"
 #include "editor/canvas/sketch_paint.h"
+#include "editor/modes/outline/copy_to.h"
 #include "editor/modes/outline/missing_card.h"
 #include "editor/modes/outline/new_outline.h"
 #include "editor/modes/outline/outline_edits.h"
@@ -106,7 +107,22 @@ bool tool_takes_wheel(const App& app, const Rect& place) {
   return app.tool().takes_wheel(app, p, {place, app.view.sketch.on()});
 }
 
-// Wheel zooms at the pointer; the middle button, or two fingers, pan.
+// Two fingers on a trackpad scroll both ways, and in pieces of a notch; after a pause the next
+// scroll may be a wheel's again. A wheel with Ctrl, and pinching, which comes as that, zoom in any
+// case.
+bool scrolls(View& view, double now) {
+  constexpr float kWheel = 0.5f;  // notches: a wheel gives whole ones
+  constexpr double kPause = 0.4;  // seconds
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.KeyCtrl || io.KeySuper) return false;
+  if (io.MouseWheelH == 0 && io.MouseWheel == 0) return false;
+  const bool piece = io.MouseWheelH != 0 || std::abs(io.MouseWheel) < kWheel;
+  if (!piece && now - view.scrolled_at > kPause) return false;
+  view.scrolled_at = now;
+  return true;
+}
+
+// The wheel zooms at the pointer; the middle button, a drag with Space held, or two fingers pan.
 void navigate(App& app, const Rect& place) {
   View& view = app.view;
   const Fingers& fingers = app.fingers;
@@ -120,9 +136,16 @@ void navigate(App& app, const Rect& place) {
   if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) ||
       !place.holds(io.MousePos))
     return;
-  if (io.MouseWheel != 0 && !tool_takes_wheel(app, place))
+  if (scrolls(view, app.services.now)) {
+    constexpr float kNotch = 60;  // points
+    view.sketch.origin.x += kNotch * io.MouseWheelH;
+    view.sketch.origin.y += kNotch * io.MouseWheel;
+    view.sketch.fit = false;
+  } else if (io.MouseWheel != 0 && !tool_takes_wheel(app, place)) {
     zoom_about(view.sketch, io.MousePos, std::pow(1.15f, io.MouseWheel));
-  if (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0)) {
+  }
+  if (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) ||
+      (view.panning && pointer_holds() && pointer_moved())) {
     view.sketch.origin.x += io.MouseDelta.x;
     view.sketch.origin.y += io.MouseDelta.y;
     view.sketch.fit = false;
@@ -324,6 +347,12 @@ void crossing_chips(App& app, const Rect& place) {
 void use_tool(App& app, const Rect& place, const Rect& clear) {
   const Stage stage{place, app.view.sketch.on()};
   Pointer p = pointer_on_sketch(place, stage.on);
+  if (p.pressed) app.view.panning = pan_key_held();
+  if (p.hovered && pan_key_held()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+  const bool over = p.released;
+  if (app.view.panning || (!p.held && pan_key_held()))
+    p.hovered = p.pressed = p.held = p.released = p.dragging = p.double_clicked = false;
+  if (over) app.view.panning = false;
   if (app.view.mode == Mode::result) return;  // its tools work on the model
   const bool outlining = app.view.mode == Mode::outline;
   const Offer offer = outlining ? offer_under(app, p, stage) : Offer();
@@ -401,7 +430,7 @@ void sketch_panel(App& app, const Layout& layout, float pixel_ratio) {
   // The marks' buttons come before the tool, in whose place they lie, and are drawn over it.
   draw().ChannelsSplit(2);
   draw().ChannelsSetCurrent(1);
-  if (app.view.mode == Mode::outline) crossing_chips(app, place);
+  if (app.view.mode == Mode::outline) crossing_chips(app, place), copy_menu(app, place);
   draw().ChannelsSetCurrent(0);
   Rect clear = place;
   if (layout.tablet) clear.cut_left(rail_place(app, layout).right() - place.x);

@@ -191,7 +191,7 @@ void welcome(App& app, const Layout& layout, float pixel_ratio) {
                                "four drawings"};
       write(head, Font::caption, t.muted,
             std::string("made from these ") + (count < 5 ? numbers[count] : "drawings") +
-                ". Drag to turn it, Space stops it.");
+                ". Drag to turn it, P stops it.");
       drawings_beside(app, Rect{all.x + 24, all.y + 60, 132, all.h - 72});
     }
   }

@@ -26,7 +26,7 @@ class PoseTool : public Tool {
   }
 
   std::string hint(const App& app) const override {
-    return app.session.proposal ? "Hold Space to see your own pose."
+    return app.session.proposal ? "Hold P to see your own pose."
                                 : "Drag a joint: the limb follows.  The wheel on a joint twists "
                                   "it, F flips it toward you or away.";
   }

@@ -9,7 +9,7 @@ class OrbitTool : public Tool {
  public:
   void pointer(App&, const Pointer&, const Stage&) override {}
   std::string hint(const App&) const override {
-    return "Drag to look around the model.  Space plays.";
+    return "Drag to look around the model.  P plays.";
   }
 };
 

@@ -49,7 +49,7 @@ class PoseModelTool : public Tool {
   }
 
   std::string hint(const App&) const override {
-    return "Drag a joint on the model.  I sets a key at the playhead, Space plays.";
+    return "Drag a joint on the model.  I sets a key at the playhead, P plays.";
   }
   void cancel(App&) override { joint_ = -1; }
   bool holds_pointer() const override { return joint_ >= 0; }

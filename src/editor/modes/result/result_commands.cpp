@@ -15,7 +15,7 @@ namespace {
 // In Pose the key compares a calibrated pose with the person's.
 bool can_play(const App& app) {
   return app.session.built && !app.session.built->model.clips.empty() &&
-         !(app.session.proposal && app.view.mode == Mode::pose);
+         (app.view.welcome || app.view.mode == Mode::result);
 }
 
 void play_or_pause(App& app) {
@@ -111,7 +111,7 @@ std::vector<Command> commands_of_everywhere() {
       {.id = "play",
        .name = "Play",
        .icon = icon::kPlay,
-       .key = ImGuiKey_Space,
+       .key = ImGuiKey_P,
        .available = can_play,
        .run = play_or_pause},
   };

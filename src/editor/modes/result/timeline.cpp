@@ -51,7 +51,7 @@ void transport(App& app, Rect row, double length) {
   Look play;
   play.primary = true;
   play.icon = app.session.playback.playing ? icon::kPause : icon::kPlay;
-  play.key = "Space";
+  play.key = "P";
   if (icon_button(app.session.playback.playing ? "Pause" : "Play", row.cut_left(36).middle(36, 32),
                   play))
     app.ask("play");
