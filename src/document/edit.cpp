@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "base/ensure.h"
+#include "document/bone_axis.h"
 #include "document/mend.h"
+#include "document/outline_edit.h"
 
 namespace artisketch {
 
@@ -190,44 +192,10 @@ std::optional<Document> with_contours_joined(const Document& document, int frame
   return without_contour(std::move(next), frame, other);
 }
 
-namespace {
-
-// A joint's bone in a drawing: where it starts, its direction, its length in pixels. A leaf has
-// the direction of the bone before it.
-struct BoneAxis {
-  Vec2 start = Vec2::Zero(), along = Vec2(0, 1);
-  double length = 0;
-};
-BoneAxis bone_axis(const Document& document, int frame, int joint) {
-  const FrameCamera camera = frame_camera(document, frame);
-  const std::vector<Transform> posed = posed_joints(document.skeleton, document.frames[frame].pose);
-  const auto at = [&](int j) { return camera.project(posed[j].translation()); };
-  const std::vector<int> children = document.skeleton.children(joint);
-  const int parent = document.skeleton.joints[joint].parent;
-  BoneAxis bone{at(joint), Vec2(0, 1), 0};
-  const Vec2 d = !children.empty() ? Vec2(at(children[0]) - bone.start)
-                 : parent >= 0     ? Vec2(bone.start - at(parent))
-                                   : Vec2(0, 1);
-  bone.length = d.norm();
-  if (bone.length > 1e-6) bone.along = d / bone.length;
-  return bone;
-}
-
-}  // namespace
-
 Document with_contour_copied(Document document, int frame, int contour, int to_frame) {
-  Contour copy = contours_in(document, frame, contour)[contour];
-  const BoneAxis from = bone_axis(document, frame, copy.joint),
-                 to = bone_axis(document, to_frame, copy.joint);
-  const double scale =
-      std::min(document.frames[to_frame].width, document.frames[to_frame].height) /
-      std::max(1.0, double(std::min(document.frames[frame].width, document.frames[frame].height)));
-  Eigen::Matrix2d turn;
-  const double c = from.along.dot(to.along),
-               s = from.along.x() * to.along.y() - from.along.y() * to.along.x();
-  turn << c, -s, s, c;
-  for (Vec2& p : copy.line.points) p = to.start + scale * (turn * (p - from.start));
-  return with_contour(std::move(document), to_frame, std::move(copy));
+  contours_in(document, frame, contour);
+  const std::vector<LooseOutline> copy = loose_outlines(document, frame, {contour});
+  return with_outlines_laid(std::move(document), to_frame, copy);
 }
 
 std::optional<Document> with_contour_mirrored(const Document& document, int frame, int contour) {

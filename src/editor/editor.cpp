@@ -108,8 +108,8 @@ void advance(App& app) {
   // The first clip goes through the drawings, and they follow. What greets shows none: whoever goes
   // on from there begins with the first, however long it has played.
   if (!view.welcome && app.session.playback.clip == 0 && !app.document().frames.empty())
-    app.session.selection.frame =
-        std::min(int(app.session.playback.time + 0.5), int(app.document().frames.size()) - 1);
+    app.session.show_frame(
+        std::min(int(app.session.playback.time + 0.5), int(app.document().frames.size()) - 1));
 }
 
 }  // namespace
@@ -154,7 +154,7 @@ void Editor::frame(float width, float height, float pixel_ratio) {
     for (const std::string_view command : pressed_commands(app)) app.ask(command);
   if (app.session.proposal)
     app.session.proposal->peeking =
-        ImGui::IsKeyDown(ImGuiKey_Space) && !ImGui::GetIO().WantTextInput && !asking;
+        ImGui::IsKeyDown(ImGuiKey_P) && !ImGui::GetIO().WantTextInput && !asking;
 
   const Layout layout = lay_out(width, height, app.view);
   top_bar(app, layout);
@@ -230,8 +230,8 @@ EditorState Editor::state() const {
   state.live_parts = int(app.session.live.parts.size());
   state.revision = app.session.history.revision();
   state.live_revision = app.session.live.revision;
-  state.can_undo = app.session.history.can_undo();
-  if (state.can_undo) state.undo = app.session.history.undo_name();
+  state.can_undo = app.session.can_undo();
+  state.undo = app.session.undo_name();
   state.message = parts_->message;
   for (const Toast& toast : app.toasts) state.messages.push_back(toast.words);
   return state;

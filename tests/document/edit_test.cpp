@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "document/history.h"
+#include "document/outline_edit.h"
 
 namespace artisketch {
 namespace {
@@ -316,6 +317,47 @@ TEST(Contours, ACopyLiesWhereTheOtherDrawingHasItsJoint) {
                               to = contours_of(copied.frames[1], 3);
   EXPECT_LT((centroid(to) - centroid(from) - Vec2(50, 0)).norm(), 1e-6);
   EXPECT_NEAR(signed_area(to[0]), signed_area(from[0]), 1e-6);
+}
+
+TEST(Contours, SeveralAreMappedAndTheOthersStay) {
+  Document document = figure();
+  for (const double x : {50, 150, 250})
+    document = with_contour(document, 0, {1, circle({x, 50}, 9), ""});
+  PictureMap map = PictureMap::Identity();
+  map.translate(Vec2(0, 100)).scale(2.0);
+  const Document mapped = with_contours_mapped(document, 0, {0, 2}, map);
+  const std::vector<Contour>& now = mapped.frames[0].contours;
+  EXPECT_LT((centroid(std::span(&now[0].line, 1)) - Vec2(100, 200)).norm(), 1e-6);
+  EXPECT_NEAR(signed_area(now[2].line), 4 * signed_area(document.frames[0].contours[2].line), 1e-6);
+  EXPECT_EQ(now[1].line.points, document.frames[0].contours[1].line.points);
+  EXPECT_EQ(without_contours(mapped, 0, {0, 2}).frames[0].contours.size(), 1u);
+}
+
+TEST(Contours, SimplifiedTheyHaveFewerPointsAndTheSameShape) {
+  Document document = with_contour(figure(), 0, {1, circle({150, 150}, 80), ""});
+  const Polyline was = document.frames[0].contours[0].line;
+  const Polyline now = with_contours_simplified(document, 0, {0}, 0.5).frames[0].contours[0].line;
+  EXPECT_LT(now.points.size(), was.points.size());
+  EXPECT_GT(now.points.size(), 8u);
+  EXPECT_NEAR(signed_area(now) / signed_area(was), 1, 0.01);
+}
+
+TEST(Contours, WhatWouldVanishIsNotSimplified) {
+  const Document document = with_contour(figure(), 0, {1, circle({50, 50}, 0.2), ""});
+  EXPECT_EQ(with_contours_simplified(document, 0, {0}, 0.5).frames[0].contours[0].line.points,
+            document.frames[0].contours[0].line.points);
+}
+
+TEST(Contours, LooseOnesAreLaidByTheJointsName) {
+  Document document = with_contour(figure(), 0, {3, circle({320, 100}, 20), ""});
+  std::vector<LooseOutline> loose = loose_outlines(document, 0, {0});
+  ASSERT_EQ(loose.size(), 1u);
+  EXPECT_EQ(loose[0].joint, document.skeleton.joints[3].name);
+  const Document laid = with_outlines_laid(document, 0, loose);
+  ASSERT_EQ(laid.frames[0].contours.size(), 2u);
+  EXPECT_LT((laid.frames[0].contours[1].line.points[0] - loose[0].line.points[0]).norm(), 1e-9);
+  loose[0].joint = "a joint of another skeleton";
+  EXPECT_EQ(with_outlines_laid(document, 0, loose).frames[0].contours.size(), 1u);
 }
 
 TEST(Contours, BehindAndInFrontStayWithinTheDrawing) {

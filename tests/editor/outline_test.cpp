@@ -1,6 +1,8 @@
 // Outline: its tools and commands, by what they make of the document.
 #include <gtest/gtest.h>
 
+#include "base/distance_field.h"
+#include "document/edit.h"
 #include "editor/step.h"
 
 namespace artisketch {
@@ -138,9 +140,10 @@ TEST_F(Outline, DrawingOnKeepsTheNewOutline) {
   h.key(ImGuiKey_D);
   h.draw(circle(h.on_screen(250, 330), 40));
   h.draw(circle(h.on_screen(250, 520), 30));
-  EXPECT_TRUE(h.state().undo.starts_with("Draw "));
+  EXPECT_EQ(contours(h).size(), was.frames[0].contours.size() + 1);
   const std::string first = text(h);
   h.key(ImGuiKey_Escape);  // the second goes
+  EXPECT_TRUE(h.state().undo.starts_with("Draw "));
   h.key(ImGuiKey_Enter);
   EXPECT_TRUE(text(h) == first);
 }
@@ -345,8 +348,53 @@ TEST_F(Outline, CutMakesTwoThatOverlap) {
 TEST_F(Outline, CutNeedsALineRightAcross) {
   h.key(ImGuiKey_K);
   h.drag(h.on_screen(4, 4), {30, 0});
-  EXPECT_TRUE(h.says("Draw the line right across one outline."));
+  EXPECT_TRUE(h.says("The line crosses no outline: draw it right across one."));
+  const Vec2 middle = centre(outline(h, "head"));
+  h.drag(on_screen(h, middle), {6, 0});
+  EXPECT_TRUE(h.says("The line ends within Head: draw it from edge to edge.")) << h.said();
   expect_nothing_happened();
+}
+
+TEST_F(Outline, CutReachesTheEdgeThatAHandStopsShortOf) {
+  choose("hand.R");
+  const Polyline line = outline(h, "hand.R");
+  const Box2 box = bounds(std::span(&line, 1));
+  h.point_at(on_screen(h, box.center()));
+  for (int i = 0; i < 8; ++i) h.wheel(1);
+  h.key(ImGuiKey_K);
+  // From 6 points within one side to 6 points within the other.
+  const PolygonDistance distance(std::vector<std::vector<Vec2>>{line.points});
+  Vec2 left = box.center(), right = left;
+  while (distance.inside(left - Vec2(6 / zoom(h), 0))) left.x() -= 0.25;
+  while (distance.inside(right + Vec2(6 / zoom(h), 0))) right.x() += 0.25;
+  ASSERT_TRUE(distance.inside(left) && distance.inside(right));
+  h.drag(on_screen(h, left), on_screen(h, right) - on_screen(h, left), 12);
+  EXPECT_EQ(contours(h).size(), was.frames[0].contours.size() + 1);
+  expect_step("Cut Hand R");
+}
+
+TEST_F(Outline, SpaceHeldPansAndNoToolDraws) {
+  h.key(ImGuiKey_D);
+  const Vec2 there = h.on_screen(100, 100);
+  h.hold(ImGuiKey_Space, true);
+  h.draw(circle(h.on_screen(250, 330), 40, 0.5));
+  h.hold(ImGuiKey_Space, false);
+  EXPECT_LT((h.on_screen(100, 100) - there - Vec2(-80, 0)).norm(), 8);
+  EXPECT_EQ(h.find("Redraw"), nullptr);
+  h.draw(circle(h.on_screen(250, 330), 40));
+  EXPECT_NE(h.find("Redraw"), nullptr) << "with Space let go, the tool draws again";
+}
+
+TEST_F(Outline, ATrackpadScrollsAndAWheelZooms) {
+  h.point_at(h.on_screen(250, 330));
+  const double before = zoom(h);
+  const Vec2 there = h.on_screen(0, 0);
+  for (int i = 0; i < 5; ++i) h.wheel(0.1f);
+  EXPECT_EQ(zoom(h), before);
+  EXPECT_NEAR(h.on_screen(0, 0).y() - there.y(), 30, 1);
+  h.wait(1);
+  h.wheel(1);
+  EXPECT_GT(zoom(h), before) << "a whole notch is a wheel's";
 }
 
 // ---------------------------------------------------------------- commands
@@ -366,13 +414,198 @@ TEST_F(Outline, MirrorNeedsAnotherSide) {
   expect_nothing_happened();
 }
 
-TEST_F(Outline, CopyToBringsItToTheNextDrawing) {
+TEST_F(Outline, CopyToAsksWhereAndWhatBecomesOfTheOneThere) {
   choose("hand.R");
-  const std::size_t count = outlines(h, "hand.R", 1).size();
+  const std::size_t count = outlines(h, "hand.R", 2).size();
+  ASSERT_GT(count, 0u);
+  const std::string third = "Copy to " + drawing_words(h.document(), 2);
+  const auto ask = [&] {
+    h.key(ImGuiKey_C);
+    h.frames(2);
+    h.click(third);
+    h.frames(2);
+  };
+  ask();
+  EXPECT_TRUE(text(h) == before) << "a finished outline was replaced, or doubled, without a word";
+  h.click("Cancel");
+  EXPECT_TRUE(text(h) == before);
+  ask();
+  h.click("Keep both");
+  h.frames(2);
+  EXPECT_EQ(outlines(h, "hand.R", 2).size(), count + 1);
+  EXPECT_EQ(h.state().frame, 2);
+  h.key(ImGuiKey_Z, ImGuiMod_Ctrl);
+  EXPECT_TRUE(text(h) == before);
+  h.click("Previous drawing");
+  h.click("Previous drawing");
+  choose("hand.R");
+  ask();
+  h.click("Replace");
+  h.frames(2);
+  EXPECT_EQ(outlines(h, "hand.R", 2).size(), 1u);
+  expect_step("Copy Hand R");
+}
+
+TEST_F(Outline, CopyToADrawingWithoutThePartJustCopies) {
+  choose("hand.R");
+  h.point_at(h.on_screen(4, 4));
+  h.key(ImGuiKey_Delete);
+  ASSERT_TRUE(outlines(h, "hand.R").empty());
+  h.click("Next drawing");
+  h.wait(0.5);
+  h.click(on_screen(h, lowest(outline(h, "hand.R", 1))));
   h.key(ImGuiKey_C);
-  EXPECT_EQ(outlines(h, "hand.R", 1).size(), count + 1);
-  EXPECT_EQ(h.state().frame, 1);
-  EXPECT_EQ(h.state().undo, "Copy Hand R");
+  h.frames(2);
+  h.click("Copy to " + drawing_words(h.document(), 0));
+  h.frames(2);
+  EXPECT_EQ(h.state().frame, 0);
+  EXPECT_EQ(outlines(h, "hand.R").size(), 1u);
+}
+
+// ---------------------------------------------------------------- outlines as things
+
+TEST_F(Outline, UndoTakesBackTheOutlineThatWaitsFirst) {
+  choose("hand.R");
+  h.point_at(h.on_screen(4, 4));
+  h.key(ImGuiKey_Delete);
+  begin();
+  h.key(ImGuiKey_D);
+  h.draw(circle(h.on_screen(250, 330), 40));
+  EXPECT_EQ(h.state().undo, "new outline");
+  h.key(ImGuiKey_Z, ImGuiMod_Ctrl);
+  EXPECT_TRUE(text(h) == before) << "the step before was undone in its place";
+  EXPECT_EQ(h.find("Redraw"), nullptr);
+  h.key(ImGuiKey_Z, ImGuiMod_Ctrl | ImGuiMod_Shift);
+  h.key(ImGuiKey_Enter);
+  EXPECT_EQ(contours(h).size(), was.frames[0].contours.size() + 1) << "redo brings it back";
+  expect_step(h.state().undo);
+}
+
+TEST_F(Outline, UndoTakesBackPointAfterPoint) {
+  h.key(ImGuiKey_P);
+  h.click(h.on_screen(200, 300));
+  h.click(h.on_screen(260, 350));
+  h.click(h.on_screen(200, 420));
+  h.key(ImGuiKey_Z, ImGuiMod_Ctrl);
+  h.key(ImGuiKey_Enter);
+  expect_nothing_happened();  // two points enclose nothing
+  h.click(h.on_screen(210, 430));
+  h.key(ImGuiKey_Enter);
+  h.key(ImGuiKey_Enter);
+  ASSERT_EQ(contours(h).size(), was.frames[0].contours.size() + 1);
+  EXPECT_LT((lowest(contours(h).back().line) - Vec2(210, 430)).norm(), 8);
+}
+
+TEST_F(Outline, ArrangeMovesTheOutlineUnderThePointer) {
+  h.key(ImGuiKey_A);
+  EXPECT_TRUE(h.active("Arrange tool"));
+  const Polyline was = outline(h, "hand.R");
+  h.drag(on_screen(h, lowest(was)), {30, -20});
+  const Polyline now = outline(h, "hand.R");
+  ASSERT_EQ(now.points.size(), was.points.size());
+  for (std::size_t i = 0; i < was.points.size(); ++i)
+    EXPECT_NEAR((now.points[i] - was.points[i] - Vec2(30, -20) / zoom(h)).norm(), 0, 1e-3);
+  expect_step("Move Hand R");
+}
+
+TEST_F(Outline, ArrangeScalesByACornerAndTurnsByTheKnob) {
+  h.key(ImGuiKey_A);
+  h.click(on_screen(h, lowest(outline(h, "hand.R"))));
+  h.frame();
+  const Polyline was = outline(h, "hand.R");
+  const Box2 box = bounds(std::span(&was, 1));
+  h.drag(h.middle("Scale bottom right"), {40, 40});
+  const Polyline larger = outline(h, "hand.R");
+  const Box2 now = bounds(std::span(&larger, 1));
+  EXPECT_NEAR((now.min() - box.min()).norm(), 0, 1e-6) << "the far corner stays";
+  EXPECT_NEAR(now.sizes().x() / now.sizes().y(), box.sizes().x() / box.sizes().y(), 1e-6);
+  EXPECT_GT(now.sizes().x(), box.sizes().x() + 20 / zoom(h));
+  EXPECT_EQ(h.state().undo, "Scale Hand R");
+  h.key(ImGuiKey_Z, ImGuiMod_Ctrl);
+  h.frame();
+  const Vec2 knob = h.middle("Turn outlines"), middle = on_screen(h, box.center());
+  const double r = (knob - middle).norm();
+  h.drag(knob, Vec2(middle.x() + r, middle.y()) - knob, 12);  // a quarter turn
+  const Polyline turned = outline(h, "hand.R");
+  const Box2 after = bounds(std::span(&turned, 1));
+  EXPECT_NEAR(after.sizes().x(), box.sizes().y(), 0.02 * box.sizes().y());
+  EXPECT_NEAR((after.center() - box.center()).norm(), 0, 0.02 * box.sizes().y());
+  expect_step("Turn Hand R");
+}
+
+TEST_F(Outline, ABoxChoosesSeveralAndTheyGoTogether) {
+  h.key(ImGuiKey_A, ImGuiMod_Ctrl);
+  EXPECT_TRUE(h.active("Arrange tool"));
+  const std::size_t count = contours(h).size();
+  const Vec2 from = outline(h, "hand.R").points[0], head = outline(h, "head").points[0];
+  h.key(ImGuiKey_RightArrow);
+  h.key(ImGuiKey_RightArrow);
+  h.key(ImGuiKey_DownArrow, ImGuiMod_Shift);
+  EXPECT_NEAR((outline(h, "hand.R").points[0] - from - Vec2(2, 10)).norm(), 0, 1e-9);
+  EXPECT_NEAR((outline(h, "head").points[0] - head - Vec2(2, 10)).norm(), 0, 1e-9);
+  expect_step("Move " + std::to_string(count) + " outlines");
+  h.key(ImGuiKey_Delete);
+  EXPECT_TRUE(contours(h).empty());
+  h.key(ImGuiKey_Z, ImGuiMod_Ctrl);
+  EXPECT_EQ(contours(h).size(), count);
+}
+
+TEST_F(Outline, ShiftAddsAndTakesAwayAgain) {
+  h.key(ImGuiKey_A);
+  const Vec2 hand = on_screen(h, lowest(outline(h, "hand.R"))),
+             foot = on_screen(h, lowest(outline(h, "foot.L")));
+  h.click(hand);
+  h.hold(ImGuiMod_Shift, true);
+  h.click(foot);
+  h.hold(ImGuiMod_Shift, false);
+  h.key(ImGuiKey_UpArrow);
+  EXPECT_EQ(h.state().undo, "Move 2 outlines");
+  h.key(ImGuiKey_Z, ImGuiMod_Ctrl);
+  h.hold(ImGuiMod_Shift, true);
+  h.click(foot);
+  h.hold(ImGuiMod_Shift, false);
+  h.key(ImGuiKey_UpArrow);
+  EXPECT_EQ(h.state().undo, "Move Hand R");
+}
+
+TEST_F(Outline, CopyAndPasteLayItOverTheBoneOfAnotherDrawing) {
+  choose("hand.R");
+  h.key(ImGuiKey_C, ImGuiMod_Ctrl);
+  expect_nothing_happened();
+  h.click("Next drawing");
+  const std::size_t count = outlines(h, "hand.R", 1).size();
+  const Vec2 there = centre(outline(h, "hand.R", 1));
+  h.key(ImGuiKey_V, ImGuiMod_Ctrl);
+  const std::vector<Polyline> now = outlines(h, "hand.R", 1);
+  ASSERT_EQ(now.size(), count + 1);
+  const Box2 size = bounds(std::span(&now[0], 1));
+  EXPECT_LT((centre(now.back()) - there).norm(), size.sizes().maxCoeff())
+      << "it lies about where that drawing has the hand";
+  expect_step("Paste Hand R");
+}
+
+TEST_F(Outline, DuplicateLiesBesideToBeSeen) {
+  choose("hand.R");
+  h.key(ImGuiKey_D, ImGuiMod_Ctrl);
+  const std::vector<Polyline> now = outlines(h, "hand.R");
+  ASSERT_EQ(now.size(), 2u);
+  EXPECT_GT((now[1].points[0] - now[0].points[0]).norm(), 1);
+  expect_step("Duplicate Hand R");
+}
+
+TEST_F(Outline, SimplifyKeepsTheLineWithHalfThePoints) {
+  h.key(ImGuiKey_T);
+  h.click(h.on_screen(320, 260));
+  h.key(ImGuiKey_Enter);
+  const Polyline traced = contours(h).back().line;
+  begin();
+  h.key(ImGuiKey_S, ImGuiMod_Shift);
+  const Polyline now = contours(h).back().line;
+  EXPECT_LT(now.points.size(), traced.points.size());
+  const std::vector<std::vector<Vec2>> lines = {now.points};
+  const PolygonDistance line(lines);
+  for (const Vec2& p : traced.points) EXPECT_LE(std::abs(line.distance(p)), 0.5 + 1e-9);
+  expect_step(h.state().undo);
 }
 
 TEST(OutlineAlone, CopyToNeedsASecondDrawing) {

@@ -9,20 +9,28 @@
 namespace artisketch {
 namespace {
 
-constexpr ImGuiKey kKeys[] = {ImGuiKey_A,         ImGuiKey_B,           ImGuiKey_C,
-                              ImGuiKey_D,         ImGuiKey_F,           ImGuiKey_G,
-                              ImGuiKey_H,         ImGuiKey_I,           ImGuiKey_J,
-                              ImGuiKey_K,         ImGuiKey_L,           ImGuiKey_M,
-                              ImGuiKey_O,         ImGuiKey_P,           ImGuiKey_R,
-                              ImGuiKey_S,         ImGuiKey_T,           ImGuiKey_V,
-                              ImGuiKey_W,         ImGuiKey_X,           ImGuiKey_0,
-                              ImGuiKey_1,         ImGuiKey_2,           ImGuiKey_3,
-                              ImGuiKey_4,         ImGuiKey_Comma,       ImGuiKey_Period,
-                              ImGuiKey_Slash,     ImGuiKey_LeftBracket, ImGuiKey_RightBracket,
-                              ImGuiKey_Backspace, ImGuiKey_Delete,      ImGuiKey_Enter,
-                              ImGuiKey_Tab,       ImGuiKey_Escape,      ImGuiKey_Space,
-                              ImGuiKey_Home,      ImGuiKey_F2,          ImGuiKey_Equal,
-                              ImGuiKey_Minus};
+constexpr ImGuiKey kKeys[] = {ImGuiKey_A,           ImGuiKey_B,
+                              ImGuiKey_C,           ImGuiKey_D,
+                              ImGuiKey_F,           ImGuiKey_G,
+                              ImGuiKey_H,           ImGuiKey_I,
+                              ImGuiKey_J,           ImGuiKey_K,
+                              ImGuiKey_L,           ImGuiKey_M,
+                              ImGuiKey_O,           ImGuiKey_P,
+                              ImGuiKey_R,           ImGuiKey_S,
+                              ImGuiKey_T,           ImGuiKey_V,
+                              ImGuiKey_W,           ImGuiKey_X,
+                              ImGuiKey_0,           ImGuiKey_1,
+                              ImGuiKey_2,           ImGuiKey_3,
+                              ImGuiKey_4,           ImGuiKey_Comma,
+                              ImGuiKey_Period,      ImGuiKey_Slash,
+                              ImGuiKey_LeftBracket, ImGuiKey_RightBracket,
+                              ImGuiKey_Backspace,   ImGuiKey_Delete,
+                              ImGuiKey_Enter,       ImGuiKey_Tab,
+                              ImGuiKey_Escape,      ImGuiKey_Space,
+                              ImGuiKey_Home,        ImGuiKey_F2,
+                              ImGuiKey_Equal,       ImGuiKey_Minus,
+                              ImGuiKey_LeftArrow,   ImGuiKey_DownArrow,
+                              ImGuiKey_E,           ImGuiKey_Z};
 
 // What a saved document holds is read again, the same.
 void expect_sound(const Harness& h) {
@@ -92,8 +100,14 @@ TEST_P(Wander, AnywhereIsSafe) {
               random.chance(0.15) ? ImGuiMouseButton_Right : ImGuiMouseButton_Left);
     } else if (what < 0.6) {
       const std::size_t k = below(std::size(kKeys));
-      const int modifiers = random.chance(0.25) ? int(ImGuiMod_Shift) : 0;
-      trail += std::string("\nkey ") + ImGui::GetKeyName(kKeys[k]) + (modifiers ? " shifted" : "");
+      const int modifiers = random.chance(0.25)   ? int(ImGuiMod_Shift)
+                            : random.chance(0.25) ? int(ImGuiMod_Ctrl)
+                                                  : 0;
+      trail += std::string("\nkey ") +
+               (modifiers == ImGuiMod_Ctrl    ? "Ctrl+"
+                : modifiers == ImGuiMod_Shift ? "Shift+"
+                                              : "") +
+               ImGui::GetKeyName(kKeys[k]);
       h.key(kKeys[k], modifiers);
     } else if (what < 0.9) {
       std::vector<Vec2> places = {somewhere()};

@@ -8,6 +8,7 @@ namespace artisketch {
 // rather than registered by the files themselves: a linker drops what nothing names.
 #define ARTISKETCH_TOOLS(TOOL) \
   TOOL(edit_outline)           \
+  TOOL(arrange)                \
   TOOL(draw)                   \
   TOOL(points)                 \
   TOOL(trace)                  \

@@ -29,8 +29,9 @@ struct Services {
   std::map<std::string, std::string> example_pictures;  // keys into `drawings`, once asked for
   // The model over the drawing, from all sides, and beside the drawing.
   RenderTarget over_sketch, model_seen, model_beside;
-  double now = 0;     // seconds, of the frame under way
-  int frames = 0;     // drawn so far
+  double now = 0;                       // seconds, of the frame under way
+  int frames = 0;                       // drawn so far
+  std::vector<LooseOutline> clipboard;  // outlines, for any drawing of any document
   long openings = 0;  // documents opened or asked for: what comes late of an older one is dropped
   bool hurried = false;  // something is dragged, and the machine paints too slowly to follow
 

@@ -57,8 +57,13 @@ std::vector<Command> edit_commands() {
        .ctrl = true,
        .repeats = true,
        .available =
-           [](const App& app) { return app.session.history.can_undo() && !app.view.welcome; },
-       .run = [](App& app) { app.session.undo(); }},
+           [](const App& app) {
+             return (app.tool().under_way() || app.session.can_undo()) && !app.view.welcome;
+           },
+       .run =
+           [](App& app) {
+             if (!app.tool().undo() && app.session.can_undo()) app.session.undo();
+           }},
       {.id = "redo",
        .name = "Redo",
        .icon = icon::kRedoVariant,
@@ -67,8 +72,7 @@ std::vector<Command> edit_commands() {
        .shift = true,
        .other_key = ImGuiKey_Y,
        .repeats = true,
-       .available =
-           [](const App& app) { return app.session.history.can_redo() && !app.view.welcome; },
+       .available = [](const App& app) { return app.session.can_redo() && !app.view.welcome; },
        .run = [](App& app) { app.session.redo(); }},
       {.id = "reconstruct",
        .name = "Reconstruct",

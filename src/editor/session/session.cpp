@@ -13,6 +13,29 @@ Session::Session(Document document) : history(std::move(document)) {
   file.saved = backup.revision = backup.seen = history.revision();
 }
 
+void Session::show_frame(int frame) {
+  if (frame != selection.frame) selection.contour = selection.point = -1;
+  selection.frame = frame;
+}
+
+ContourSet Session::chosen_outlines() const {
+  if (selection.contour < 0 || !has_frame()) return {};
+  ContourSet chosen{selection.contour};
+  const Selection::Along& along = selection.along;
+  if (along.frame == selection.frame && along.contour == selection.contour)
+    for (const int i : along.which)
+      if (i < int(frame().contours.size())) chosen.insert(i);
+  return chosen;
+}
+
+void Session::choose_outlines(const ContourSet& which) {
+  // The one that was chosen stays the first of them.
+  if (!which.contains(selection.contour)) selection.contour = which.empty() ? -1 : *which.begin();
+  selection.joint =
+      selection.contour < 0 ? -1 : frame().contours[std::size_t(selection.contour)].joint;
+  selection.along = {selection.frame, selection.contour, which};
+}
+
 void Session::commit(std::string undo_name, Document next) {
   history.commit(std::move(undo_name), std::move(next));
   settle();
@@ -30,18 +53,46 @@ void Session::change(const std::string& undo_name, Document next) {
 }
 
 void Session::drop_gesture() {
-  if (gesture_moved_) undo();
+  if (gesture_moved_) history.undo(), settle();
   begin_gesture();
 }
 
+bool Session::brings_back_outline() const {
+  return !new_outline && taken_back_ && taken_back_->over == history.state();
+}
+
+namespace {
+constexpr const char* kNewOutline = "new outline";
+}  // namespace
+
+std::string Session::undo_name() const {
+  return new_outline ? kNewOutline : history.can_undo() ? history.undo_name() : "";
+}
+
+std::string Session::redo_name() const {
+  return brings_back_outline() ? kNewOutline : history.can_redo() ? history.redo_name() : "";
+}
+
 void Session::undo() {
-  history.undo();
+  if (new_outline) {
+    taken_back_ = {std::move(*new_outline), history.state()};
+    new_outline.reset();
+  } else {
+    history.undo();
+  }
   begin_gesture();
   settle();
 }
 
 void Session::redo() {
-  history.redo();
+  if (brings_back_outline()) {
+    new_outline = std::move(taken_back_->outline);
+    taken_back_.reset();
+    show_frame(new_outline->frame);
+    selection.contour = -1;
+  } else {
+    history.redo();
+  }
   begin_gesture();
   settle();
 }

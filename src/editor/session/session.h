@@ -12,6 +12,7 @@
 #include "document/derived.h"
 #include "document/edit.h"
 #include "document/history.h"
+#include "document/outline_edit.h"
 #include "document/region_outline.h"
 #include "editor/session/built_model.h"
 #include "editor/session/tool.h"
@@ -114,6 +115,19 @@ struct Selection {
   int joint = -1;    // chosen part, −1: none
   int contour = -1;  // chosen outline of the frame, −1: none
   int point = -1;    // the chosen outline's, under the pointer
+
+  // More outlines of the frame, chosen along with that one for as long as it is the chosen one
+  // (Session::chosen_outlines).
+  struct Along {
+    int frame = -1, contour = -1;
+    ContourSet which;
+  };
+  Along along;
+};
+
+// Arrow keys, one after the other, are one step of undo.
+struct Nudging {
+  long gesture = -1, revision = -1;
 };
 
 // What the next click or stroke is for, where a command asked for it.
@@ -183,6 +197,7 @@ struct Session {
   Backup backup;
   Selection selection;
   NextClick next;
+  Nudging nudging;
   std::vector<std::unique_ptr<Tool>>
       tools;  // by row of App::tools; with what each is in the midst of
   std::optional<NewOutline> new_outline;
@@ -206,6 +221,11 @@ struct Session {
   const Document& document() const { return history.now(); }
   bool has_frame() const { return selection.frame < int(document().frames.size()); }
   const Frame& frame() const { return document().frames[std::size_t(selection.frame)]; }
+  // Another drawing comes into view: what was chosen of the last one is let go.
+  void show_frame(int frame);
+  // All that are chosen; empty: none.
+  ContourSet chosen_outlines() const;
+  void choose_outlines(const ContourSet& which);
   bool unsaved() const { return history.revision() != file.saved; }
   // The document is no longer as the model was made from it, or there is none.
   bool stale() const { return !built || !built->fresh; }
@@ -224,6 +244,11 @@ struct Session {
   void go_on_amending() { gesture_moved_ = true; }
   // The gesture was meant otherwise: the document is as before.
   void drop_gesture();
+  // An outline that waits to be kept is the last thing that was done: undo takes that back first.
+  bool can_undo() const { return new_outline || history.can_undo(); }
+  bool can_redo() const { return brings_back_outline() || history.can_redo(); }
+  std::string undo_name() const;
+  std::string redo_name() const;
   void undo();
   void redo();
   // Keeps what is chosen within the document, and the model's clips as the document has them.
@@ -231,6 +256,13 @@ struct Session {
   void follow_document();
 
  private:
+  bool brings_back_outline() const;
+  // Undone before it was kept, with the state that it was drawn over.
+  struct TakenBack {
+    NewOutline outline;
+    std::shared_ptr<const Document> over;
+  };
+  std::optional<TakenBack> taken_back_;
   long id_ = 0;
   long gesture_ = 0;
   bool gesture_moved_ = false;

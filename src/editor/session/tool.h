@@ -25,6 +25,8 @@ class Tool {
 
   // Whether something is begun that Esc gives up.
   virtual bool under_way() const { return false; }
+  // Takes back the last piece of it; false where there is none, and undo goes to the document.
+  virtual bool undo() { return false; }
   // Gives it up. Another tool is taken up, or the pointer's press was meant otherwise.
   virtual void cancel(App& app);
 

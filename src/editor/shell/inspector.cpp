@@ -41,7 +41,7 @@ void paint_mark(ImVec2 at, int joint, Fit fit) {
 void choose(App& app, int joint, int frame) {
   if (app.session.next.picks_joint && app.has_frame()) return reassign(app, joint);
   app.session.selection.joint = joint;
-  app.session.selection.frame = frame;
+  app.session.show_frame(frame);
   app.session.selection.contour = -1;
   if (!app.has_frame()) return;
   const std::vector<Contour>& contours = app.frame().contours;
@@ -97,7 +97,7 @@ void matrix(App& app, Rect& place) {
           : press.hovered ? t.text
                           : t.muted,
           std::to_string(f + 1), Align::centre);
-    if (press.clicked) app.session.selection.frame = f;
+    if (press.clicked) app.session.show_frame(f);
   }
   for (int joint : parts) {
     const Rect row = place.cut_top(kRow);

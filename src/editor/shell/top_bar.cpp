@@ -123,8 +123,8 @@ void top_bar(App& app, const Layout& layout) {
     }
     row.cut_right(16);
     Look redo, undo;
-    if (app.session.history.can_redo()) redo.hint = "Redo " + app.session.history.redo_name();
-    if (app.session.history.can_undo()) undo.hint = "Undo " + app.session.history.undo_name();
+    if (app.session.can_redo()) redo.hint = "Redo " + app.session.redo_name();
+    if (app.session.can_undo()) undo.hint = "Undo " + app.session.undo_name();
     command_icon(app, "redo", row.cut_right(size).middle(size, size), redo);
     row.cut_right(6);
     command_icon(app, "undo", row.cut_right(size).middle(size, size), undo);

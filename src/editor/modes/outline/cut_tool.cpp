@@ -1,4 +1,6 @@
 // Cut: a line right across an outline makes two of it that overlap there.
+#include <algorithm>
+
 #include "document/edit.h"
 #include "editor/canvas/pointer.h"
 #include "editor/modes/outline/new_outline.h"
@@ -11,7 +13,7 @@ namespace {
 
 class CutTool : public Tool {
  public:
-  void pointer(App& app, const Pointer& p, const Stage&) override {
+  void pointer(App& app, const Pointer& p, const Stage& stage) override {
     if (p.pressed) {
       if (app.session.new_outline) keep_outline(app);
       line_ = {p.at, p.at};
@@ -21,9 +23,9 @@ class CutTool : public Tool {
     if (!p.released) return;
     const Line line = *line_;
     line_.reset();
-    if (cut(app, line)) return;
+    if (cut(app, line, stage.on)) return;
     Toast toast;
-    toast.words = "Draw the line right across one outline.";
+    toast.words = why_not(app, line);
     app.say(std::move(toast));
   }
 
@@ -45,23 +47,50 @@ class CutTool : public Tool {
     Vec2 from, to;  // the sketch's pixels
   };
 
-  // The chosen outline, else the frontmost that the line cuts right across.
-  static bool cut(App& app, const Line& line) {
-    Selection& selection = app.session.selection;
-    std::vector<int> order;
-    if (selection.contour >= 0) order.push_back(selection.contour);
-    for (int i = int(app.frame().contours.size()) - 1; i >= 0; --i) order.push_back(i);
-    for (int i : order) {
-      std::optional<Document> next =
-          with_contour_cut(app.document(), selection.frame, i, line.from, line.to);
-      if (!next) continue;
-      const int joint = app.frame().contours[std::size_t(i)].joint;
-      app.session.commit("Cut " + part_words(app, joint), std::move(*next));
-      selection.contour = int(app.frame().contours.size()) - 1;
-      selection.joint = app.frame().contours.back().joint;
-      return true;
+  // A hand that stops a little before the edge meant to reach it.
+  static Line lengthened(const Line& line, const OnScreen& on) {
+    constexpr double kReaches = 16, kOfLength = 0.15;  // points; at each end
+    const Vec2 along = line.to - line.from;
+    const double length = along.norm();
+    if (length < 1e-9) return line;
+    const Vec2 by = along / length * std::max(kReaches / double(on.zoom), kOfLength * length);
+    return {line.from - by, line.to + by};
+  }
+
+  static std::string why_not(const App& app, const Line& line) {
+    for (int i = int(app.frame().contours.size()) - 1; i >= 0; --i) {
+      const Contour& contour = app.frame().contours[std::size_t(i)];
+      if (!contour.line.closed) continue;
+      const bool within = contains(contour.line, line.from) || contains(contour.line, line.to);
+      if (within)
+        return "The line ends within " + part_words(app, contour.joint) +
+               ": draw it from edge to edge.";
     }
+    return "The line crosses no outline: draw it right across one.";
+  }
+
+  // The chosen outline, else the frontmost that the line cuts right across, else one whose edge it
+  // nearly reaches.
+  static bool cut(App& app, const Line& line, const OnScreen& on) {
+    const Line longer = lengthened(line, on);
+    const int chosen = app.session.selection.contour;
+    if (chosen >= 0 && (cut(app, line, chosen) || cut(app, longer, chosen))) return true;
+    for (const Line& way : {line, longer})
+      for (int i = int(app.frame().contours.size()) - 1; i >= 0; --i)
+        if (cut(app, way, i)) return true;
     return false;
+  }
+
+  static bool cut(App& app, const Line& line, int contour) {
+    Selection& selection = app.session.selection;
+    std::optional<Document> next =
+        with_contour_cut(app.document(), selection.frame, contour, line.from, line.to);
+    if (!next) return false;
+    const int joint = app.frame().contours[std::size_t(contour)].joint;
+    app.session.commit("Cut " + part_words(app, joint), std::move(*next));
+    selection.contour = int(app.frame().contours.size()) - 1;
+    selection.joint = app.frame().contours.back().joint;
+    return true;
   }
 
   std::optional<Line> line_;

@@ -1,7 +1,9 @@
 // Outline: what can be done to the chosen outline, or to a new one before it is kept.
 #include "document/edit.h"
+#include "document/outline_edit.h"
 #include "editor/canvas/pointer.h"
 #include "editor/modes/mode_commands.h"
+#include "editor/modes/outline/copy_to.h"
 #include "editor/modes/outline/outline_edits.h"
 #include "editor/ui/icons.h"
 
@@ -99,13 +101,81 @@ void mirror(App& app) {
   selection.joint = app.frame().contours.back().joint;
 }
 
-void copy_to_next(App& app) {
-  Selection& selection = app.session.selection;
-  const int to = (selection.frame + 1) % int(app.document().frames.size());
-  app.session.commit("Copy " + part_words(app, chosen(app).joint),
-                     with_contour_copied(app.document(), selection.frame, selection.contour, to));
-  selection.frame = to;
-  selection.contour = int(app.frame().contours.size()) - 1;
+// ---------------------------------------------------------------- several at once
+
+bool has_outlines(const App& app) {
+  return app.has_frame() && !app.frame().contours.empty();
+}
+
+bool can_paste(const App& app) {
+  return app.has_frame() && !app.services.clipboard.empty();
+}
+
+void choose_all(App& app) {
+  app.take_up(Mode::outline, "arrange");
+  ContourSet all;
+  for (int i = 0; i < int(app.frame().contours.size()); ++i) all.insert(i);
+  app.session.choose_outlines(all);
+}
+
+void copy(App& app) {
+  app.services.clipboard =
+      loose_outlines(app.document(), app.session.selection.frame, app.session.chosen_outlines());
+  // Else an older picture of the system's clipboard would be pasted.
+  ImGui::SetClipboardText(outlines_words(app, app.session.chosen_outlines()).c_str());
+}
+
+// Where one lies already, the copy lies beside it, to be seen.
+void lay_beside(App& app, const std::string& verb, std::vector<LooseOutline> outlines) {
+  const double aside = 12 / double(app.view.sketch.zoom);
+  const Frame& frame = app.frame();
+  const Document laid = with_outlines_laid(app.document(), app.session.selection.frame, outlines);
+  const std::vector<Contour>& all = laid.frames[std::size_t(app.session.selection.frame)].contours;
+  bool covered = false;
+  for (std::size_t i = frame.contours.size(); i < all.size(); ++i)
+    for (const Contour& own : frame.contours)
+      covered |= own.line.points.size() == all[i].line.points.size() &&
+                 (own.line.points.front() - all[i].line.points.front()).norm() < aside;
+  const std::string words = outlines.size() == 1 ? joint_words(outlines[0].joint).whole()
+                                                 : std::to_string(outlines.size()) + " outlines";
+  if (covered)
+    for (LooseOutline& loose : outlines)
+      for (Vec2& p : loose.line.points) p += aside * Vec2(1, 1);
+  app.take_up(Mode::outline, "arrange");
+  lay(app, verb + words, app.document(), outlines);
+}
+
+void paste(App& app) {
+  lay_beside(app, "Paste ", app.services.clipboard);
+}
+
+void duplicate(App& app) {
+  lay_beside(
+      app, "Duplicate ",
+      loose_outlines(app.document(), app.session.selection.frame, app.session.chosen_outlines()));
+}
+
+void simplify(App& app) {
+  constexpr double kError = 0.5;  // pixels: half of what is drawn of an edge
+  const ContourSet chosen = app.session.chosen_outlines();
+  Document next =
+      with_contours_simplified(app.document(), app.session.selection.frame, chosen, kError);
+  app.session.commit("Simplify " + outlines_words(app, chosen), std::move(next));
+}
+
+// One pixel of the drawing, ten with Shift. Until something else is done it is one step of undo.
+template <int x, int y>
+void nudge(App& app) {
+  Session& session = app.session;
+  Nudging& nudging = session.nudging;
+  if (!session.goes_on(nudging.gesture) || nudging.revision != session.history.revision())
+    nudging.gesture = session.begin_gesture();
+  const ContourSet chosen = session.chosen_outlines();
+  PictureMap map = PictureMap::Identity();
+  map.translate((ImGui::GetIO().KeyShift ? 10 : 1) * Vec2(x, y));
+  session.change("Move " + outlines_words(app, chosen),
+                 with_contours_mapped(app.document(), session.selection.frame, chosen, map));
+  nudging.revision = session.history.revision();
 }
 
 template <int by>
@@ -144,8 +214,9 @@ void delete_point_or_outline(App& app) {
           "Delete point", with_contour_points(app.document(), selection.frame, selection.contour,
                                               std::move(points)));
   }
-  app.session.commit("Delete " + part_words(app, chosen(app).joint),
-                     without_contour(app.document(), selection.frame, selection.contour));
+  const ContourSet chosen_ones = app.session.chosen_outlines();
+  app.session.commit("Delete " + outlines_words(app, chosen_ones),
+                     without_contours(app.document(), selection.frame, chosen_ones));
   selection.contour = -1;
 }
 
@@ -201,11 +272,11 @@ std::vector<Command> commands_of_copies_and_order() {
       {.id = "copy_to",
        .name = "Copy to",
        .icon = icon::kContentCopy,
-       .about = "Copy the outline to the next drawing",
+       .about = "Copy the outline to another drawing",
        .key = ImGuiKey_C,
        .in_rail = true,
        .available = can_copy,
-       .run = copy_to_next},
+       .run = copy_to},
       {.id = "behind",
        .name = "Behind",
        .icon = icon::kFlipToBack,
@@ -239,12 +310,73 @@ std::vector<Command> commands_of_copies_and_order() {
   };
 }
 
+std::vector<Command> commands_of_several() {
+  return {
+      {.id = "choose_all",
+       .name = "Choose all",
+       .key = ImGuiKey_A,
+       .ctrl = true,
+       .available = has_outlines,
+       .run = choose_all},
+      {.id = "copy_outlines",
+       .name = "Copy",
+       .key = ImGuiKey_C,
+       .ctrl = true,
+       .in_menu = true,
+       .available = is_chosen,
+       .run = copy},
+      {.id = "paste_outlines",
+       .name = "Paste",
+       .about = "Lay what was copied over the same bones of this drawing",
+       .key = ImGuiKey_V,
+       .ctrl = true,
+       .in_menu = true,
+       .available = can_paste,
+       .run = paste},
+      {.id = "duplicate",
+       .name = "Duplicate",
+       .key = ImGuiKey_D,
+       .ctrl = true,
+       .in_menu = true,
+       .available = is_chosen,
+       .run = duplicate},
+      {.id = "simplify",
+       .name = "Simplify",
+       .about = "The fewest points that keep within half a pixel of the outline",
+       .key = ImGuiKey_S,
+       .shift = true,
+       .in_menu = true,
+       .available = is_chosen,
+       .run = simplify},
+  };
+}
+
+Command nudging(const char* id, const char* name, ImGuiKey key, const char* words,
+                void (*run)(App&)) {
+  Command row;
+  row.id = id;
+  row.name = name;
+  row.key = key;
+  row.key_words = words;
+  row.any_shift = row.repeats = true;
+  row.available = is_chosen;
+  row.run = run;
+  return row;
+}
+
 }  // namespace
 
 std::vector<Command> outline_commands() {
   std::vector<Command> all = commands_of_whose_and_how();
   for (Command& command : commands_of_copies_and_order()) all.push_back(std::move(command));
-  for (Command& command : all) command.mode = Mode::outline, command.in_menu = true;
+  for (Command& command : all) command.in_menu = true;
+  for (Command& command : commands_of_several()) all.push_back(std::move(command));
+  all.push_back(
+      nudging("nudge_left", "Left by 1 px, with Shift 10", ImGuiKey_LeftArrow, "←", nudge<-1, 0>));
+  all.push_back(nudging("nudge_right", "Right", ImGuiKey_RightArrow, "→", nudge<1, 0>));
+  all.push_back(nudging("nudge_up", "Up", ImGuiKey_UpArrow, "↑", nudge<0, -1>));
+  all.push_back(nudging("nudge_down", "Down", ImGuiKey_DownArrow, "↓", nudge<0, 1>));
+  for (Command& command : all) command.mode = Mode::outline;
   return all;
 }
 

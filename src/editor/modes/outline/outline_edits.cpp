@@ -29,6 +29,34 @@ void join_with(App& app, int other) {
   selection.contour = joined;
 }
 
+std::string outlines_words(const App& app, const ContourSet& contours) {
+  if (contours.size() == 1)
+    return part_words(app, app.frame().contours[std::size_t(*contours.begin())].joint);
+  return std::to_string(contours.size()) + " outlines";
+}
+
+void lay(App& app, const std::string& undo_name, Document next,
+         const std::vector<LooseOutline>& outlines) {
+  Session& session = app.session;
+  const int frame = session.selection.frame;
+  const int before = int(next.frames[std::size_t(frame)].contours.size());
+  next = with_outlines_laid(std::move(next), frame, outlines);
+  const int after = int(next.frames[std::size_t(frame)].contours.size());
+  if (const std::size_t left = outlines.size() - std::size_t(after - before)) {
+    Toast toast;
+    toast.words =
+        left == 1 ? "One outline stays out: this skeleton has no such joint."
+                  : std::to_string(left) + " outlines stay out: this skeleton has no such joints.";
+    app.say(std::move(toast));
+  }
+  if (after == before) return;
+  session.commit(undo_name, std::move(next));
+  ContourSet laid;
+  for (int i = before; i < after; ++i) laid.insert(i);
+  session.selection.contour = -1;
+  session.choose_outlines(laid);
+}
+
 std::vector<CrossingMark> crossing_marks(const App& app) {
   std::vector<CrossingMark> marks;
   if (!app.has_frame()) return marks;

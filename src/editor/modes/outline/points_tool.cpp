@@ -20,10 +20,7 @@ class PointsTool : public Tool {
       tangents_.push_back(Vec2::Zero());
     }
     if (p.dragging && !points_.empty()) tangents_.back() = p.at - points_.back();
-    if (p.backspace && !points_.empty()) {
-      points_.pop_back();
-      tangents_.pop_back();
-    }
+    if (p.backspace) undo();
     if (!(p.pressed && closes) && !(p.enter && points_.size() > 2)) return;
     NewOutline fresh;
     fresh.line = curve_through(points_, tangents_, true);
@@ -56,6 +53,12 @@ class PointsTool : public Tool {
     return "Click point by point; Enter or a click on the first closes.";
   }
   bool under_way() const override { return !points_.empty(); }
+  bool undo() override {
+    if (points_.empty()) return false;
+    points_.pop_back();
+    tangents_.pop_back();
+    return true;
+  }
   void cancel(App&) override {
     points_.clear();
     tangents_.clear();
