@@ -8,9 +8,7 @@ namespace {
 class OrbitTool : public Tool {
  public:
   void pointer(App&, const Pointer&, const Stage&) override {}
-  std::string hint(const App&) const override {
-    return "Drag to look around the model.  P plays.";
-  }
+  std::string hint(const App&) const override { return "Drag to look around the model.  P plays."; }
 };
 
 }  // namespace
