@@ -86,7 +86,9 @@ std::vector<std::string_view> pressed_commands(const App& app) {
   if (io.WantTextInput) return ids;
   const bool ctrl = io.KeyCtrl || io.KeySuper;
   for (const Command& row : app.commands)
-    if (in_its_mode(app, row) && !(row.is_tool && app.view.welcome) && pressed(row, ctrl, io.KeyShift)) ids.push_back(row.id);
+    if (in_its_mode(app, row) && !(row.is_tool && app.view.welcome) &&
+        pressed(row, ctrl, io.KeyShift))
+      ids.push_back(row.id);
   return ids;
 }
 
