@@ -9,13 +9,26 @@ namespace artisketch {
 
 // ---------------------------------------------------------------- clips
 
+namespace {
+
+bool has_clip(const Document& document, const std::string& name) {
+  return std::any_of(document.animations.begin(), document.animations.end(),
+                     [&](const Animation& clip) { return clip.name == name; });
+}
+
+}  // namespace
+
+Document with_animation(Document document, Animation animation) {
+  const std::string name = animation.name;
+  for (int number = 2; has_clip(document, animation.name); ++number)
+    animation.name = name + " " + std::to_string(number);
+  document.animations.push_back(std::move(animation));
+  return document;
+}
+
 Document with_clip(Document document, Pose first) {
-  const auto taken = [&](const std::string& name) {
-    return std::any_of(document.animations.begin(), document.animations.end(),
-                       [&](const Animation& clip) { return clip.name == name; });
-  };
   int number = 1;
-  while (taken("clip " + std::to_string(number))) ++number;
+  while (has_clip(document, "clip " + std::to_string(number))) ++number;
   Animation clip;
   clip.name = "clip " + std::to_string(number);
   clip.keys.push_back({0, std::move(first), ""});

@@ -9,10 +9,13 @@ namespace artisketch {
 
 // ---------------------------------------------------------------- clips
 
-inline constexpr double kLeastStep = 0.05;  // seconds between keys
+inline constexpr double kLeastStep = 0.05;       // seconds between keys
+inline constexpr std::size_t kMostKeys = 10000;  // of all clips
 
 // A clip with one key at its start, under a name that no clip has yet: "clip 1".
 Document with_clip(Document document, Pose first);
+// A whole clip, under its name, or the first of "walk 2", "walk 3" … that no clip has yet.
+Document with_animation(Document document, Animation animation);
 Document without_clip(Document document, int clip);
 
 // A key of the pose at a time (seconds, ≥ 0); in place of one that is nearer than kLeastStep.

@@ -312,6 +312,10 @@ Result<Motion> parse_bvh(std::string_view text, const std::string& name, const s
   }
 }
 
+bool is_bvh(std::string_view bytes) {
+  return lower(Words(bytes).peek()) == "hierarchy";
+}
+
 Result<Motion> read_bvh(const std::string& path) {
   const Result<std::string> text = read_file(path);
   if (!text) return bad_input(text.error().text());

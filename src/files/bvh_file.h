@@ -21,6 +21,8 @@ namespace artisketch {
 // numbers. `name` becomes the motion's; `file` is used in errors only.
 Result<Motion> parse_bvh(std::string_view text, const std::string& name, const std::string& file);
 
+bool is_bvh(std::string_view bytes);  // by how it begins
+
 Result<Motion> read_bvh(const std::string& path);  // named after the file
 
 }  // namespace artisketch

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "base/words.h"
+#include "document/animate.h"
 #include "files/bytes.h"
 #include "files/json_reader.h"
 
@@ -13,7 +14,7 @@ namespace artisketch {
 namespace {
 
 // Limits that keep a hostile document affordable, far above what a character needs.
-constexpr std::size_t kMostJoints = 1000, kMostFrames = 1000, kMostKeys = 10000;
+constexpr std::size_t kMostJoints = 1000, kMostFrames = 1000;
 constexpr std::size_t kMostPoints = 20000;  // of one contour
 
 constexpr double kUnitSlack = 1e-3;    // a rotation further off unit length is a mistake

@@ -22,6 +22,18 @@ Pose turned(const Document& document, double angle) {
   return pose;
 }
 
+TEST(Animate, AClipsNameIsItsOwn) {
+  Document document;
+  Animation walk;
+  walk.name = "walk";
+  walk.keys.push_back({0, {}, ""});
+  for (int i = 0; i < 3; ++i) document = with_animation(std::move(document), walk);
+  ASSERT_EQ(document.animations.size(), 3u);
+  EXPECT_EQ(document.animations[0].name, "walk");
+  EXPECT_EQ(document.animations[1].name, "walk 2");
+  EXPECT_EQ(document.animations[2].name, "walk 3");
+}
+
 TEST(Animate, KeysStandInTheOrderOfTheirTimes) {
   const Document document = figure();
   Document clip = with_clip(document, turned(document, 0));

@@ -114,6 +114,42 @@ TEST_F(ResultMode, KeysOfOnesOwnClip) {
   expect_step("Remove " + clip);
 }
 
+TEST_F(ResultMode, AClipOfTheLibraryIsPlayedAtOnceAndKeyed) {
+  h.click("Library");
+  h.click("Add walk");
+  ASSERT_EQ(h.document().animations.size(), 1u);
+  EXPECT_EQ(h.document().animations[0].name, "walk");
+  EXPECT_GT(h.document().animations[0].keys.size(), 8u);
+  EXPECT_TRUE(h.active("Clip walk"));
+  EXPECT_TRUE(h.enabled("Pause"));
+  expect_step("Add walk");
+  // A second of the same name is another.
+  begin();
+  h.click("Library");
+  h.click("Add walk");
+  EXPECT_EQ(h.document().animations[1].name, "walk 2");
+  expect_step("Add walk");
+}
+
+TEST_F(ResultMode, AMotionDroppedOnTheWindowBecomesAClip) {
+  const std::string joint = "CHANNELS 3 Zrotation Xrotation Yrotation\n";
+  const std::string wave =
+      "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation "
+      "Xrotation Yrotation\nJOINT LeftArm\n{\nOFFSET 20 50 0\n" +
+      joint + "JOINT LeftForeArm\n{\nOFFSET 30 0 0\n" + joint +
+      "End Site\n{\nOFFSET 25 0 0\n}\n}\n}\n}\nMOTION\nFrames: 3\nFrame Time: 0.5\n"
+      "0 90 0 0 0 0 0 0 0 0 0 0\n0 90 0 0 0 0 45 0 0 0 0 0\n0 90 0 0 0 0 80 0 0 0 0 0\n";
+  h.open("hello.bvh", wave);
+  ASSERT_EQ(h.document().animations.size(), 1u);
+  EXPECT_EQ(h.document().animations[0].name, "hello");
+  EXPECT_EQ(h.document().animations[0].keys.size(), 3u);
+  EXPECT_TRUE(h.active("Clip hello"));
+  expect_step("Add hello");
+  begin();
+  h.open("broken.bvh", wave.substr(0, 200));
+  expect_nothing_happened();
+}
+
 TEST_F(ResultMode, DeleteWithoutAKeyDeletesNothing) {
   h.key(ImGuiKey_Delete);
   expect_nothing_happened();

@@ -3,10 +3,14 @@
 
 #include <imgui.h>
 
+#include "document/animate.h"
 #include "document/edit.h"
 #include "editor/session/jobs.h"
+#include "files/bvh_file.h"
 #include "files/document_file.h"
 #include "files/inside_images.h"
+#include "model/rig/library.h"
+#include "model/rig/retarget.h"
 
 namespace artisketch {
 namespace {
@@ -58,8 +62,44 @@ void open_files(App& app, Result<std::vector<NamedBytes>> files) {
       continue;
     }
     if (app.view.welcome) new_document(app);
-    add_drawing(app, file);
+    if (is_bvh(file.bytes))
+      add_motion(app, file);
+    else
+      add_drawing(app, file);
   }
+}
+
+void add_clip(App& app, const std::string& undo_name, Animation animation) {
+  app.session.commit(undo_name, with_animation(app.document(), std::move(animation)));
+  if (!app.session.built) return;
+  Playback& playback = app.session.playback;
+  playback.clip = int(app.session.built->model.clips.size()) - 1;
+  playback.time = 0;
+  playback.key = -1;
+  playback.posed.reset();
+  playback.playing = true;
+  app.view.mode = Mode::result;
+}
+
+void add_motion(App& app, const NamedBytes& file) {
+  const std::string name = file.name.substr(0, file.name.rfind('.'));
+  const Result<Motion> motion = parse_bvh(file.bytes, name, file.name);
+  if (!motion) return complain(app, motion.error());
+  const Result<Retargeted> moved = retargeted(app.document(), *motion, {});
+  if (!moved) return complain(app, moved.error());
+  Animation animation = animation_of(moved->clip);
+  std::size_t keys = animation.keys.size();
+  for (const Animation& other : app.document().animations) keys += other.keys.size();
+  if (keys > kMostKeys)
+    return complain(app, bad_input(file.name + " is too long: a document has " +
+                                   std::to_string(kMostKeys) + " keys at most"));
+  app.tool().cancel(app);
+  add_clip(app, "Add " + name, std::move(animation));
+  Toast toast;
+  toast.words = mapping_words(app.document(), *motion, *moved);
+  for (const std::string& warning : moved->warnings) toast.words += "; " + warning;
+  toast.error = !moved->warnings.empty();
+  app.say(std::move(toast));
 }
 
 void open_example(App& app, const std::string& name, bool greet) {

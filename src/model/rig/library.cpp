@@ -533,6 +533,40 @@ Result<Clip> library_clip(const Skeleton& skeleton, std::string_view name, const
   return bad_input("no clip '" + std::string(name) + "' fits this skeleton: there are " + fitting);
 }
 
+Animation animation_of(const Clip& clip) {
+  constexpr double kTurn = 0.25;         // degrees
+  constexpr double kMove = 0.002;        // of the root's height
+  constexpr std::size_t kFarthest = 60;  // keys between two that stay
+  const auto said_by = [&](std::size_t a, std::size_t b) {
+    for (std::size_t k = a + 1; k < b; ++k) {
+      const double t = (clip.times[k] - clip.times[a]) / (clip.times[b] - clip.times[a]);
+      const Pose &from = clip.poses[a], &to = clip.poses[b], &at = clip.poses[k];
+      const Vec3 root = from.root_position + t * (to.root_position - from.root_position);
+      if ((root - at.root_position).norm() > kMove * std::abs(clip.poses[0].root_position.y()))
+        return false;
+      for (std::size_t j = 0; j < at.rotations.size(); ++j)
+        if (from.rotations[j].slerp(t, to.rotations[j]).angularDistance(at.rotations[j]) >
+            radians(kTurn))
+          return false;
+    }
+    return true;
+  };
+  Animation animation;
+  animation.name = clip.name;
+  const auto keep = [&](std::size_t k) {
+    animation.keys.push_back({clip.times[k], clip.poses[k], ""});
+  };
+  keep(0);
+  for (std::size_t last = 0; last + 1 < clip.poses.size();) {
+    std::size_t next = last + 1;
+    while (next + 1 < clip.poses.size() && next + 1 - last <= kFarthest && said_by(last, next + 1))
+      ++next;
+    keep(next);
+    last = next;
+  }
+  return animation;
+}
+
 Result<ClipWish> clip_wish(const std::string& words) {
   ClipWish wish;
   const std::size_t colon = words.find(':');

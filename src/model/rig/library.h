@@ -30,6 +30,10 @@ std::vector<LibraryClip> library_clips(const Skeleton& skeleton);
 // is the first. Fails where no clip of that name fits the skeleton, naming those that do.
 Result<Clip> library_clip(const Skeleton& skeleton, std::string_view name, const ClipStyle& style);
 
+// The clip as keys of the document's, fewer of them where those between say nothing: joints turn
+// less than a quarter of a degree off, the root moves less than 0.2 % of its height.
+Animation animation_of(const Clip& clip);
+
 // "walk", "walk:stride=1.2,bounce=0.5".
 struct ClipWish {
   std::string name;

@@ -133,6 +133,34 @@ TEST(Library, StyleIsSeen) {
   EXPECT_NEAR(swing(style)[3], usual[3] / 2, 1e-9);
 }
 
+TEST(Library, FewerKeysSayTheSame) {
+  const Skeleton skeleton = template_skeleton(Template::human);
+  const Result<Clip> clip = library_clip(skeleton, "wave", {});
+  ASSERT_TRUE(clip);
+  const Animation animation = animation_of(*clip);
+  EXPECT_EQ(animation.name, "wave");
+  EXPECT_LT(animation.keys.size(), clip->poses.size());
+  EXPECT_TRUE(same_pose(animation.keys.front().pose, animation.keys.back().pose));
+  // A clip that stands still says so with two keys.
+  Clip still{"still", {}, {}};
+  for (int k = 0; k < 50; ++k) {
+    still.times.push_back(0.1 * k);
+    still.poses.push_back(rest_pose(skeleton));
+  }
+  EXPECT_EQ(animation_of(still).keys.size(), 2u);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < clip->poses.size(); ++k) {
+    while (animation.keys[next + 1].time < clip->times[k] - 1e-9) ++next;
+    const Key &a = animation.keys[next], &b = animation.keys[next + 1];
+    const double t = (clip->times[k] - a.time) / (b.time - a.time);
+    for (int j = 0; j < skeleton.size(); ++j)
+      EXPECT_LT(degrees(a.pose.rotations[j]
+                            .slerp(t, b.pose.rotations[j])
+                            .angularDistance(clip->poses[k].rotations[j])),
+                0.26);
+  }
+}
+
 TEST(Library, AWishIsANameAndAStyle) {
   const Result<ClipWish> wish = clip_wish("walk:stride=1.5,weight=2");
   ASSERT_TRUE(wish);

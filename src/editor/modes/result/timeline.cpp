@@ -6,12 +6,16 @@
 #include "document/animate.h"
 #include "editor/canvas/controls.h"
 #include "editor/canvas/pointer.h"
+#include "editor/session/files.h"
+#include "editor/ui/icons.h"
 #include "editor/ui/menu.h"
+#include "model/rig/library.h"
 
 namespace artisketch {
 namespace {
 
 constexpr float kNames = 128;  // width of the clips' names
+constexpr float kLibrary = 104;
 
 struct Ruler {
   float x = 0, per_second = 1;
@@ -29,6 +33,22 @@ double key_beside(const App& app, bool after) {
     if (!after && time < app.session.playback.time - kHere) best = time;
   }
   return best;
+}
+
+// The clips that come with the program and fit the skeleton.
+void library_button(App& app, const Rect& place) {
+  Look look;
+  look.icon = icon::kPlus;
+  look.hint = "Clips made for this skeleton: idle, walk and more";
+  const bool opens = button("Library", place, look);
+  Menu menu("Library of clips", opens);
+  if (!menu) return;
+  const Skeleton& skeleton = app.document().skeleton;
+  for (const LibraryClip& clip : library_clips(skeleton)) {
+    if (!menu.line(std::string("Add ") + clip.name)) continue;
+    const Result<Clip> made = library_clip(skeleton, clip.name, {});
+    if (made) add_clip(app, std::string("Add ") + clip.name, animation_of(*made));
+  }
 }
 
 void transport(App& app, Rect row, double length) {
@@ -77,6 +97,8 @@ void transport(App& app, Rect row, double length) {
   command_button(app, "new_clip", row.cut_left(104).middle(104, 32));
   row.cut_left(8);
   command_button(app, "set_key", row.cut_left(96).middle(96, 32));
+  row.cut_left(8);
+  if (row.w >= kLibrary) library_button(app, row.cut_left(kLibrary).middle(kLibrary, 32));
 }
 
 // The keys of a clip of the document's: a click goes there, a drag moves it in time.
