@@ -9,6 +9,7 @@
 
 #include "figures/measure.h"
 #include "quality/baselines.h"
+#include "quality/colours.h"
 #include "quality/inconsistent.h"
 
 using namespace artisketch;
@@ -26,16 +27,20 @@ constexpr const char* kUsage =
     "                          [--baseline DEGREES] [--poses] [--grid N]\n"
     "       artisketch_quality --depth [--figures N] [--frames N] [--baseline DEGREES]\n"
     "                          [--wobble PIXELS] [--grid N]\n"
+    "       artisketch_quality --colours [--frames N] [--error DEGREES] [--no-calibrate]\n"
+    "                          [--grid N]\n"
     "Every combination of the settings not named; --brief: one case per figure;\n"
     "--poses: calibration alone; --inconsistent: drawings that disagree as people's do,\n"
     "calibrated, with the poses given, and the first drawing alone; --depth: how deep bodies\n"
-    "come out by how far apart the drawings see them.\n";
+    "come out by how far apart the drawings see them; --colours: pixels that are wrongly\n"
+    "coloured in poses and from sides that nobody drew.\n";
 
 struct Options {
   bool brief = false;
   bool poses = false;
   bool inconsistent = false;
   bool depth = false;
+  bool colours = false;
   std::vector<double> baselines;  // degrees that the drawings span; empty: several
   int figures = 6;
   std::vector<int> frames = {2, 3, 4};
@@ -208,6 +213,8 @@ bool read_options(int count, char** words, Options& options) {
       options.brief = true;
     } else if (word == "--depth") {
       options.depth = true;
+    } else if (word == "--colours") {
+      options.colours = true;
     } else if (word == "--poses") {
       options.poses = true;
     } else if (word == "--inconsistent") {
@@ -270,6 +277,14 @@ int main(int count, char** words) {
     if (options.wobbles.size() == 1) table.wobble = options.wobbles[0];
     if (!options.baselines.empty()) table.baselines = options.baselines;
     quality::print_baselines(table);
+    return 0;
+  }
+  if (options.colours) {
+    quality::ColourOptions table;
+    table.pipeline = options.pipeline;
+    if (options.frames.size() == 1) table.frames = options.frames;
+    if (options.errors.size() == 1) table.error = options.errors[0];
+    quality::print_colours(table);
     return 0;
   }
   print_head();
