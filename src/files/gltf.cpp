@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 #include "base/ensure.h"
@@ -165,6 +166,23 @@ std::vector<Index> face_indices(const Triangles& F) {
   return {F.data(), F.data() + F.size()};
 }
 
+// Whether a texture is pixel art: of so few colours that none can be a mixture of others. Viewers
+// are to show its texels as squares.
+bool has_few_colours(const Image& texture) {
+  constexpr std::size_t kMost = 256;
+  std::set<std::uint32_t> colours;
+  std::uint32_t last = 0;
+  for (std::size_t i = 0; i < texture.rgba.size(); i += 4) {
+    const std::uint32_t c = std::uint32_t(texture.rgba[i]) << 16 |
+                            std::uint32_t(texture.rgba[i + 1]) << 8 | texture.rgba[i + 2];
+    if (i > 0 && c == last) continue;
+    last = c;
+    colours.insert(c);
+    if (colours.size() > kMost) return false;
+  }
+  return true;
+}
+
 void add_material(const Model& model, Builder& out) {
   tinygltf::Material material;
   material.name = "skin";
@@ -180,8 +198,10 @@ void add_material(const Model& model, Builder& out) {
     image.bufferView = out.add_view(png.data(), png.size(), 0);
     out.gltf.images.push_back(std::move(image));
     tinygltf::Sampler sampler;
-    sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
-    sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+    const bool squares = has_few_colours(*model.texture);
+    sampler.magFilter = squares ? TINYGLTF_TEXTURE_FILTER_NEAREST : TINYGLTF_TEXTURE_FILTER_LINEAR;
+    sampler.minFilter = squares ? TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR
+                                : TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
     sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
     out.gltf.samplers.push_back(sampler);
     tinygltf::Texture texture;

@@ -166,6 +166,21 @@ TEST(Gltf, TextureSeamsDoNotShowInTheNormals) {
   }
 }
 
+// A texture of few colours is pixel art: its texels are to be seen as squares.
+TEST(Gltf, PixelArtIsNotBlurred) {
+  constexpr int kLinear = 9729, kNearest = 9728;
+  Model model = textured_model();
+  model.texture = Image(64, 64);
+  for (const bool squares : {true, false}) {
+    for (int i = 0; i < 64 * 64; ++i) {
+      model.texture->rgba[4 * i] = std::uint8_t(squares ? i % 2 * 200 : i % 256);
+      model.texture->rgba[4 * i + 1] = std::uint8_t(squares ? 0 : i / 256);
+    }
+    const Glb glb(*glb_bytes(model));
+    EXPECT_EQ(int(glb.json["samplers"][0]["magFilter"]), squares ? kNearest : kLinear);
+  }
+}
+
 TEST(Gltf, ManyJointsTakeWiderIndices) {
   const Model model = many_joints_model();
   const Glb glb(*glb_bytes(model));

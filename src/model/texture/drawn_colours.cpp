@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace artisketch {
 namespace {
@@ -40,7 +39,7 @@ struct Span {
 // The model over one drawing, while its colours are made.
 struct Overlay {
   const Image& picture;
-  const Mask& figure;
+  Mask figure;  // where the drawing shows what the model shows there
   const Triangles& F;
   Visible seen;
   double pixel = 0;  // units
@@ -88,9 +87,7 @@ std::optional<Pixel> paper_colour(const Image& picture, const Mask& outlined) {
 Mask figure_mask(const Frame& frame, const Image& picture) {
   constexpr double kWay = 0.04;  // of the drawing's larger side
   Mask figure(frame.width, frame.height);
-  std::set<int> joints;
-  for (const Contour& contour : frame.contours)
-    if (contour.line.closed) joints.insert(contour.joint);
+  const std::vector<int> joints = outlined_joints(frame);
   if (joints.empty()) std::fill(figure.in.begin(), figure.in.end(), std::uint8_t(1));
   for (const int joint : joints) add_polygons(closed_contours(frame, joint), figure);
   const std::optional<Pixel> paper = paper_colour(picture, figure);
@@ -118,9 +115,9 @@ Mask figure_mask(const Frame& frame, const Image& picture) {
   return figure;
 }
 
-Overlay overlay_of(const Image& picture, const Mask& figure, const Triangles& F, Visible seen,
+Overlay overlay_of(const Image& picture, Mask figure, const Triangles& F, Visible seen,
                    double pixel) {
-  Overlay o{picture, figure, F, std::move(seen), pixel, {}, {}};
+  Overlay o{picture, std::move(figure), F, std::move(seen), pixel, {}, {}};
   o.x = {o.seen.width, 0};
   o.y = {o.seen.height, 0};
   for (int y = 0; y < o.seen.height; ++y) {
@@ -135,6 +132,61 @@ Overlay overlay_of(const Image& picture, const Mask& figure, const Triangles& F,
   }
   if (o.x.size() < 0) o.x = o.y = {};
   return o;
+}
+
+// Takes from the figure what the drawing shows of a part that the model has behind: the model's
+// parts are a few pixels off where the outline of a part before them says how far that one reaches.
+void take_before(const Overlay& o, const std::vector<Holders>& holders, int joint,
+                 const PartMask& part, std::vector<std::uint8_t>& taken) {
+  const auto is_part = [&](std::size_t p) {
+    return o.seen.face[p] >= 0 && holders[o.seen.face[p]].has(joint);
+  };
+  std::vector<std::pair<std::size_t, float>> all;  // pixels, and how far the part before them is
+  std::vector<std::array<int, 2>> places;
+  const auto take = [&](int x, int y, float depth) {
+    if (!o.inside(x, y)) return;
+    const std::size_t q = o.index(x, y);
+    if (taken[q] == 2 || !part.in(q) || is_part(q) || o.seen.depth[q] < depth + kStep * o.pixel)
+      return;
+    taken[q] = 2;
+    all.emplace_back(q, depth);
+    places.push_back({x, y});
+  };
+  for (int y = std::max(part.top(), o.y.begin); y < std::min(part.bottom(), o.y.end); ++y)
+    for (int x = std::max(part.left(), o.x.begin); x < std::min(part.right(), o.x.end); ++x) {
+      const std::size_t p = o.index(x, y);
+      if (!is_part(p)) continue;
+      for (const auto& [dx, dy] : kBeside) take(x + dx, y + dy, o.seen.depth[p]);
+    }
+  for (std::size_t head = 0; head < all.size(); ++head)
+    for (const auto& [dx, dy] : kBeside)
+      take(places[head][0] + dx, places[head][1] + dy, all[head].second);
+  for (const auto& one : all) taken[one.first] = 1;
+}
+
+// Leaves of the figure what the outlines and colours give to the part that the model shows there.
+void keep_own(const Frame& frame, const std::vector<Holders>& holders, const PartColours& colours,
+              Overlay& o) {
+  const std::vector<int> joints = outlined_joints(frame);
+  if (joints.empty()) return;
+  std::vector<std::uint8_t> own(o.figure.in.size(), 0), taken(own.size(), 0);
+  PartMask part(frame.width, frame.height);
+  for (const int joint : joints) {
+    part.show(frame, joint);
+    for (int y = part.top(); y < part.bottom(); ++y)
+      for (int x = part.left(); x < part.right(); ++x) {
+        const std::size_t p = o.index(x, y);
+        if (!part.in(p) || o.seen.face[p] < 0) continue;
+        const Holders& here = holders[o.seen.face[p]];
+        if (here.has(joint))
+          own[p] = 1;
+        else if (colours.is_foreign(pixel_of(o.picture, p), here, joint))
+          taken[p] = 1;
+      }
+    take_before(o, holders, joint, part, taken);
+  }
+  for (std::size_t p = 0; p < own.size(); ++p)
+    if (!own[p] || taken[p]) o.figure.in[p] = 0;
 }
 
 // Pixels from each pixel of the model to the nearest outline of what is drawn of it, 0 where
@@ -245,10 +297,11 @@ Eigen::ArrayXXf without_thin_dark(Eigen::ArrayXXf light, int r) {
 
 }  // namespace
 
-void fill_colours(const Frame& frame, const Image& picture, const Triangles& F, Visible seen,
+void fill_colours(const Frame& frame, const Image& picture, const Triangles& F,
+                  const std::vector<Holders>& holders, const PartColours& colours, Visible seen,
                   double pixel, Sketch& sketch) {
-  const Mask figure = figure_mask(frame, picture);
-  const Overlay o = overlay_of(picture, figure, F, std::move(seen), pixel);
+  Overlay o = overlay_of(picture, figure_mask(frame, picture), F, std::move(seen), pixel);
+  keep_own(frame, holders, colours, o);
   sketch.width = frame.width;
   sketch.height = frame.height;
   const std::vector<float> distance = outline_distances(o);
@@ -293,6 +346,9 @@ void fill_colours(const Frame& frame, const Image& picture, const Triangles& F, 
   });
   spread(o, reach, sketch.plain, state);
   sketch.depth = o.seen.depth;
+  sketch.joint.resize(distance.size());
+  for (std::size_t p = 0; p < distance.size(); ++p)
+    sketch.joint[p] = o.seen.face[p] < 0 ? -1 : holders[o.seen.face[p]].first();
 }
 
 }  // namespace artisketch

@@ -2,16 +2,21 @@
 #pragma once
 
 #include "base/raster.h"
-#include "model/texture/drawn_surface.h"
+#include "model/texture/part_colours.h"
 
 namespace artisketch {
 
 // Takes the drawing's colours where they can be trusted, and spreads them from there to the model's
-// outlines without crossing one. Fills the sketch.
+// outlines without crossing one. Where parts are outlined, a part has no colours but those inside
+// its own outline, and none there that the outline of a part before it takes, or that by their look
+// are another part's. Fills the sketch.
 //   frame, picture  the drawing, of one size
 //   F, seen         the model's triangles, and which of them each pixel shows
+//   holders         #F, the joints of each
+//   colours         of the parts, over all drawings
 //   pixel           units that a pixel takes
-void fill_colours(const Frame& frame, const Image& picture, const Triangles& F, Visible seen,
+void fill_colours(const Frame& frame, const Image& picture, const Triangles& F,
+                  const std::vector<Holders>& holders, const PartColours& colours, Visible seen,
                   double pixel, Sketch& sketch);
 
 }  // namespace artisketch

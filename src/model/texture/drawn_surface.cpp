@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "model/texture/drawn_colours.h"
 
 namespace artisketch {
 namespace {
 
-constexpr double kLeastFacing = 0.1;    // cosine; nearer to grazing, a drawing shows a smear
+constexpr double kPulledFacing = 0.35;  // the same of what takes its colour from farther inside
+constexpr double kLeastFacing = 0.2;    // cosine; nearer to grazing, a drawing shows a smear
 constexpr double kReach = 12;           // pixels of depth that still count as on the surface
 constexpr double kMirrorReach = 0.04;   // of the figure's size: how unlike its two sides may be
-constexpr float kPulledQuality = 0.4f;  // of a triangle whose colour comes from farther inside
 constexpr float kSquarely = 0.5f;       // quality: what is seen less well takes no lines of ink
 
 double camera_depth(const FrameCamera& camera, const Vec3& X) {
@@ -86,19 +87,75 @@ void judge(const Points3& V, const Triangles& F, const FrameCamera& camera, cons
       seen = p.x() >= 0 && p.y() >= 0 && p.x() < sketch.width && p.y() < sketch.height;
       if (!seen) break;
       const std::size_t at = std::size_t(p.y()) * sketch.width + std::size_t(p.x());
-      seen = sketch.state[at] != Sketch::nothing && std::abs(depth - sketch.depth[at]) <= reach;
+      seen = sketch.state[at] != Sketch::nothing && std::abs(depth - sketch.depth[at]) <= reach &&
+             (*view.holders)[f].has(sketch.joint[at]);
       pulled = pulled || sketch.state[at] == Sketch::pulled;
     }
-    if (seen)
+    if (seen && !(pulled && facing < kPulledFacing))
       view.quality[f] =
           std::max(float(facing * scale / finest), 0.01f) * (pulled ? kPulledQuality : 1);
   }
 }
 
+// Adds the colours of a drawing of few colours with hard edges; false where it isn't one.
+bool add_palette(const Image& picture, std::set<Pixel>& palette) {
+  constexpr std::size_t kMostColours = 256;
+  Pixel last = {};
+  for (std::size_t p = 0; p < picture.rgba.size(); p += 4) {
+    const Pixel pixel = {picture.rgba[p], picture.rgba[p + 1], picture.rgba[p + 2],
+                         picture.rgba[p + 3]};
+    if (pixel[3] == 0 || pixel == last) continue;
+    if (pixel[3] < 255) return false;
+    last = pixel;
+    palette.insert(pixel);
+    if (palette.size() > kMostColours) return false;
+  }
+  return true;
+}
+
+// The colours of all drawings where these are pixel art.
+std::vector<Rgb> palette_of(const Document& document, std::span<const Image> drawings) {
+  std::set<Pixel> pixels;
+  for (int f = 0; f < int(drawings.size()) && f < int(document.frames.size()); ++f)
+    if (drawings[f].width == document.frames[f].width &&
+        drawings[f].height == document.frames[f].height && !add_palette(drawings[f], pixels))
+      return {};
+  std::vector<Rgb> palette;
+  for (const Pixel& pixel : pixels) palette.push_back(Rgb(pixel[0], pixel[1], pixel[2]) / 255);
+  return palette;
+}
+
 }  // namespace
 
+std::vector<Holders> holders_of(const Triangles& F, const Weights& weights) {
+  constexpr double kShare = 0.1;  // of a triangle; less moves it, but doesn't make it a part's
+  std::vector<Holders> holders(F.rows());
+  std::vector<std::pair<double, int>> shares;
+  for (int f = 0; f < F.rows(); ++f) {
+    shares.clear();
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 4; ++i) {
+        const int joint = weights.joints(F(f, k), i);
+        const double share = weights.weights(F(f, k), i) / 3;
+        if (share <= 0) continue;
+        const auto same = std::find_if(shares.begin(), shares.end(),
+                                       [&](const auto& one) { return one.second == joint; });
+        if (same == shares.end())
+          shares.emplace_back(share, joint);
+        else
+          same->first += share;
+      }
+    std::sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
+      return a.first != b.first ? a.first > b.first : a.second < b.second;
+    });
+    for (std::size_t i = 0; i < std::min<std::size_t>(shares.size(), 4); ++i)
+      if (i == 0 || shares[i].first >= kShare) holders[f].joints[i] = shares[i].second;
+  }
+  return holders;
+}
+
 std::optional<Rgb> Sketch::at(const std::vector<Pixel>& colours, const Vec2& pixel,
-                              double depth_there, double reach) const {
+                              double depth_there, double reach, const Holders& holders) const {
   const Vec2 p = pixel - Vec2::Constant(0.5);
   if (!(p.x() > -1 && p.y() > -1 && p.x() < width && p.y() < height)) return std::nullopt;
   const int x = int(std::floor(p.x())), y = int(std::floor(p.y()));
@@ -111,9 +168,18 @@ std::optional<Rgb> Sketch::at(const std::vector<Pixel>& colours, const Vec2& pix
       if (u < 0 || v < 0 || u >= width || v >= height) continue;
       const std::size_t at = std::size_t(v) * width + u;
       const float w = (i ? wx : 1 - wx) * (j ? wy : 1 - wy);
-      if (w <= 0 || state[at] == nothing || !(std::abs(depth[at] - depth_there) <= reach)) continue;
-      sum += w * Rgb(colours[at][0], colours[at][1], colours[at][2]);
-      all += w;
+      if (w <= 0 || state[at] == nothing || !(std::abs(depth[at] - depth_there) <= reach) ||
+          !holders.has(joint[at]))
+        continue;
+      const Rgb c(colours[at][0], colours[at][1], colours[at][2]);
+      if (pixel_art) {
+        if (w <= all) continue;
+        sum = w * c;
+        all = w;
+      } else {
+        sum += w * c;
+        all += w;
+      }
     }
   if (all <= 0) return std::nullopt;
   return Rgb(sum / (255 * all));
@@ -129,7 +195,8 @@ std::optional<Rgb> SurfaceView::colour(const std::vector<Sketch>& sketches, cons
   }
   if (!p.allFinite()) return std::nullopt;
   const Sketch& drawn = sketches[sketch];
-  return drawn.at(quality[face] < kSquarely ? drawn.plain : drawn.colour, p, d, reach);
+  return drawn.at(quality[face] < kSquarely ? drawn.plain : drawn.colour, p, d, reach,
+                  (*holders)[face]);
 }
 
 Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const Image> drawings,
@@ -137,10 +204,18 @@ Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const I
   DrawnSurface out;
   const Triangles& F = model.mesh.F;
   const MirrorImage mirror = mirror_image(model);
+  const auto holders = std::make_shared<const std::vector<Holders>>(holders_of(F, model.weights));
+  const auto others = std::make_shared<const std::vector<Holders>>(holders_of(F, mirror.weights));
   const double size = bounds(model.mesh.V).sizes().norm();
   double finest = 0;
   for (int f = 0; f < int(calibrated.frames.size()); ++f)
     finest = std::max(finest, frame_camera(calibrated, f).pixels_per_unit(0));
+  out.palette = palette_of(calibrated, drawings);
+  PartColours colours(model.skeleton);
+  for (int f = 0; f < int(drawings.size()) && f < int(calibrated.frames.size()); ++f)
+    if (const Frame& frame = calibrated.frames[f];
+        drawings[f].width == frame.width && drawings[f].height == frame.height)
+      colours.learn(frame, drawings[f]);
   std::vector<SurfaceView> mirrored;
   for (int f = 0; f < int(drawings.size()) && f < int(calibrated.frames.size()); ++f) {
     const Frame& frame = calibrated.frames[f];
@@ -152,10 +227,12 @@ Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const I
     SurfaceView view;
     view.sketch = int(out.sketches.size());
     view.reach = kReach * pixel;
+    view.holders = holders;
     project(V, camera, view);
     const bool perspective = camera.camera.type == Camera::Type::perspective;
     Sketch& sketch = out.sketches.emplace_back();
-    fill_colours(frame, drawings[f], F,
+    sketch.pixel_art = !out.palette.empty();
+    fill_colours(frame, drawings[f], F, *holders, colours,
                  raster_triangles(
                      view.pixels, view.depth,
                      perspective ? std::span<const double>(view.depth) : std::span<const double>(),
@@ -166,6 +243,7 @@ Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const I
 
     view.mirrored = true;
     view.reach = kMirrorReach * size;
+    view.holders = others;
     V = posed_vertices(mirror.V, mirror.weights, model.skeleton, frame.pose);
     project(V, camera, view);
     judge(V, F, camera, sketch, finest, view);

@@ -1,16 +1,16 @@
 // The drawings' colours on the model: the view that shows a triangle best paints it, views fade
-// into each other where they meet, and what none shows takes the colour of what surrounds it.
+// into each other where they meet, and what none shows takes the colours of its own part.
 #include <algorithm>
 #include <cmath>
 
 #include "base/raster.h"
 #include "model/texture/atlas.h"
+#include "model/texture/unseen.h"
 
 namespace artisketch {
 namespace {
 
 constexpr int kFadeRounds = 2;        // rings of triangles over which views fade into each other
-constexpr int kDiffuseRounds = 60;    // of the colours into what no view shows
 constexpr double kPlainScale = 0.35;  // texels of what no view shows, per pixel: it has no detail
 
 // How much each view has of the paint at each vertex, #V×#views; what is missing to 1 is the
@@ -51,69 +51,6 @@ class Fades {
   Eigen::ArrayXXf share_;
 };
 
-// One colour per vertex: what the views that paint round it show there, and diffused from there
-// over those round which nothing is painted: a part's own colours wherever one is seen, else those
-// of the parts beside it.
-std::vector<Rgb> plain_colours(const Model& model, const Adjacency& beside,
-                               const std::vector<int>& chosen, const DrawnSurface& surface) {
-  const Mesh& mesh = model.mesh;
-  const Eigen::Index n = mesh.V.rows();
-  std::vector<Rgb> colour(n, Rgb::Zero());
-  std::vector<float> seen(n, 0.0f);
-  for (int f = 0; f < mesh.F.rows(); ++f) {
-    if (chosen[f] < 0) continue;
-    for (int k = 0; k < 3; ++k) {
-      // A little inside, where it is sure to be the triangle that is seen.
-      const Vec3 w = Vec3::Constant(0.1) + 0.7 * Vec3::Unit(k);
-      const auto c = surface.views[chosen[f]].colour(surface.sketches, mesh.F, f, w);
-      if (!c) continue;
-      colour[mesh.F(f, k)] += *c;
-      seen[mesh.F(f, k)] += 1;
-    }
-  }
-  std::vector<int> order;
-  std::vector<std::uint8_t> reached(n, 0);
-  for (int v = 0; v < n; ++v)
-    if (seen[v] > 0) {
-      colour[v] /= seen[v];
-      reached[v] = 1;
-      order.push_back(v);
-    }
-  const std::size_t known = order.size();
-  // What no painted surface leads to has the mean of all colours.
-  Rgb mean = Rgb::Zero();
-  for (const int v : order) mean += colour[v] / float(known);
-  for (int v = 0; v < n; ++v)
-    if (!reached[v]) colour[v] = mean;
-  std::vector<std::uint8_t> shown(model.skeleton.joints.size(), 0);
-  for (const int v : order) shown[model.weights.joints(v, 0)] = 1;
-  const auto passes = [&](int from, int to) {
-    const int part = model.weights.joints(to, 0);
-    return part == model.weights.joints(from, 0) || !shown[part];
-  };
-  // What the last colours couldn't reach, a part in pieces, takes what comes.
-  for (const bool across : {false, true})
-    for (std::size_t head = 0; head < order.size(); ++head)
-      for (const int u : beside.of(order[head])) {
-        if (reached[u] || !(across || passes(order[head], u))) continue;
-        reached[u] = 1;
-        colour[u] = colour[order[head]];
-        order.push_back(u);
-      }
-  for (int round = 0; round < kDiffuseRounds; ++round)
-    for (std::size_t i = known; i < order.size(); ++i) {
-      Rgb sum = Rgb::Zero();
-      float all = 0;
-      for (const int u : beside.of(order[i])) {
-        if (!passes(u, order[i])) continue;
-        sum += colour[u];
-        all += 1;
-      }
-      if (all > 0) colour[order[i]] = sum / all;
-    }
-  return colour;
-}
-
 // The colours of one triangle after another.
 class Painter {
  public:
@@ -131,6 +68,7 @@ class Painter {
     }
   }
   Rgb at(const Vec3& weights) const {
+    if (!surface_.palette.empty()) return unmixed(weights);
     Rgb sum = Rgb::Zero();
     float all = 0;
     for (const View& view : views_) {
@@ -150,6 +88,29 @@ class Painter {
 
  private:
   static constexpr float kLeastShare = 1e-4f;
+  // Pixel art: the colour of the view that has most of the paint, else the nearest in the palette.
+  Rgb unmixed(const Vec3& weights) const {
+    std::optional<Rgb> best;
+    float most = 0, all = 0;
+    for (const View& view : views_) {
+      const float share = view.shares.dot(weights.cast<float>());
+      all += std::max(share, 0.0f);
+      if (share <= std::max(most, kLeastShare)) continue;
+      const SurfaceView& shown = surface_.views[view.index];
+      if (const auto c = shown.colour(surface_.sketches, mesh_.F, face_, weights)) {
+        best = c;
+        most = share;
+      }
+    }
+    if (best && all >= 0.5f) return *best;
+    int corner = 0;
+    weights.maxCoeff(&corner);
+    const Rgb& plain = plain_[mesh_.F(face_, corner)];
+    return *std::min_element(surface_.palette.begin(), surface_.palette.end(),
+                             [&](const Rgb& a, const Rgb& b) {
+                               return (a - plain).squaredNorm() < (b - plain).squaredNorm();
+                             });
+  }
   struct View {
     int index;
     Eigen::Vector3f shares;  // at the triangle's corners

@@ -263,6 +263,99 @@ TEST(Texture, WhatIsHiddenIsPaintedLikeItsMirrorImage) {
   }
 }
 
+// A hand before a body, drawn a few pixels from where the model has it: what its outline holds is
+// the hand, also where the model shows the body beside it.
+TEST(Texture, WhatStandsBeforeAPartIsNotPaintedOnIt) {
+  constexpr double kHand = 0.3, kOff = 0.12;  // units
+  Skeleton skeleton;
+  skeleton.joints = {{"body", -1, Vec3::Zero(), -1, ""}, {"hand", 0, {0, 0, 1.5}, -1, ""}};
+  Mesh mesh = icosphere(Vec3::Zero(), 1, 4);
+  const Mesh hand = icosphere({0, 0, 1.5}, kHand, 3);
+  const Eigen::Index n = mesh.V.rows(), m = mesh.F.rows();
+  mesh.V.conservativeResize(n + hand.V.rows(), 3);
+  mesh.V.bottomRows(hand.V.rows()) = hand.V;
+  mesh.F.conservativeResize(m + hand.F.rows(), 3);
+  mesh.F.bottomRows(hand.F.rows()) = hand.F.array() + int(n);
+  Model model = model_of(skeleton, mesh);
+  for (Eigen::Index v = n; v < mesh.V.rows(); ++v) model.weights.joints(v, 0) = 1;
+  Image drawing = disc(kRed);
+  const Vec2 middle = Vec2::Constant(kSize / 2.0) + Vec2(kOff * kScale, 0);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x)
+      if ((Vec2(x + 0.5, y + 0.5) - middle).norm() < kHand * kScale) {
+        std::uint8_t* p = drawing.at(x, y);
+        p[0] = kBlue.r, p[1] = kBlue.g, p[2] = kBlue.b;
+      }
+  Document document = document_of(skeleton, {0});
+  Polyline round_hand = circle(kHand);
+  for (Vec2& p : round_hand.points) p.x() += kOff * kScale;
+  document.frames[0].contours = {{0, circle(1), ""}, {1, round_hand, ""}};
+  const Model made = painted(document, {drawing}, model);
+  int body = 0, blue = 0;
+  for (int v = 0; v < made.mesh.V.rows(); ++v) {
+    const Colour c = texel(made, v);
+    if (made.weights.joints(v, 0) == 0) {
+      EXPECT_TRUE(is(c, kRed, 8)) << made.mesh.V.row(v) << ": " << c.r;
+      ++body;
+    } else {
+      blue += is(c, kBlue, 8);
+    }
+  }
+  EXPECT_GT(body, int(n) - 1);
+  EXPECT_GT(blue, int(hand.V.rows()) / 2);
+}
+
+// A belt goes on round the back, and no colour there is a mixture.
+TEST(Texture, WhatNoDrawingShowsHasThePartsColoursUnmixed) {
+  const Model plain = ball();
+  Image drawing = disc(kRed);
+  for (int y = kSize / 2 - 10; y < kSize / 2 + 10; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      std::uint8_t* p = drawing.at(x, y);
+      if (p[0] == kRed.r) p[0] = kBlue.r, p[1] = kBlue.g, p[2] = kBlue.b;
+    }
+  const Model model = painted(document_of(plain.skeleton, {0}), {drawing}, plain);
+  int round = 0, belt = 0, mixed = 0, back = 0;
+  for (int v = 0; v < model.mesh.V.rows(); ++v) {
+    if (model.mesh.V(v, 2) > -0.2) continue;
+    const Colour c = texel(model, v);
+    const double height = std::abs(model.mesh.V(v, 1));
+    ++back;
+    mixed += !is(c, kRed, 30) && !is(c, kBlue, 30);
+    if (height < 0.1) {
+      ++round;
+      belt += is(c, kBlue, 30);
+    }
+    if (height > 0.6) {
+      EXPECT_TRUE(is(c, kRed, 8)) << model.mesh.V.row(v);
+    }
+  }
+  EXPECT_GT(round, 50);
+  EXPECT_GT(belt, 0.8 * round);
+  EXPECT_LT(mixed, back / 5);  // the soft step between the two
+}
+
+// Stairs of few colours: every texel has one of them.
+TEST(Texture, PixelArtKeepsItsColours) {
+  constexpr int kSquare = 6;  // pixels
+  const Model plain = ball();
+  Image drawing(kSize, kSize, 0);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const int i = x / kSquare, j = y / kSquare;
+      const Vec2 p = Vec2(i + 0.5, j + 0.5) * kSquare - Vec2::Constant(kSize / 2.0);
+      const Colour& c = (i + j) % 2 ? kRed : kBlue;
+      std::uint8_t* to = drawing.at(x, y);
+      to[0] = c.r, to[1] = c.g, to[2] = c.b, to[3] = p.norm() < kScale ? 255 : 0;
+    }
+  const Model model = painted(document_of(plain.skeleton, {0, -90}), {drawing, drawing}, plain);
+  for (std::size_t i = 0; i < model.texture->rgba.size(); i += 4) {
+    const std::uint8_t* c = &model.texture->rgba[i];
+    const Colour texel{c[0], c[1], c[2]};
+    ASSERT_TRUE(is(texel, kRed, 0) || is(texel, kBlue, 0)) << texel.r << ' ' << texel.b;
+  }
+}
+
 TEST(Texture, WithoutDrawingsTheModelStaysPlain) {
   const Model plain = ball();
   const Document document = document_of(plain.skeleton, {0});
