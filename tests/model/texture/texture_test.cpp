@@ -335,6 +335,35 @@ TEST(Texture, WhatNoDrawingShowsHasThePartsColoursUnmixed) {
   EXPECT_LT(mixed, back / 5);  // the soft step between the two
 }
 
+// Half of each ball lies in a shade that both have in common: it belongs to the light. Where one
+// ball alone has a darker half that is a colour.
+TEST(Texture, ShadeInFlatColoursIsNoColour) {
+  const auto shaded = [](int value, double by) { return std::uint8_t(std::lround(value * by)); };
+  for (const bool common : {true, false}) {
+    const Model plain = pair_of_balls(false);
+    Document document = document_of(plain.skeleton, {0});
+    document.camera.pixels_per_unit = 20;
+    Image drawing(kSize, kSize, 0);
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x)
+        for (const double middle : {-1.5, 1.5}) {
+          const Vec2 p = (Vec2(x + 0.5, y + 0.5) - Vec2::Constant(kSize / 2.0)) / 20;
+          if ((p - Vec2(middle, 0)).norm() > 1) continue;
+          const Colour& c = middle > 0 ? kRed : kBlue;
+          const bool dark = p.x() < middle && (common || middle > 0);
+          std::uint8_t* to = drawing.at(x, y);
+          to[0] = shaded(c.r, dark ? 0.82 : 1), to[1] = shaded(c.g, dark ? 0.71 : 1);
+          to[2] = shaded(c.b, dark ? 0.77 : 1), to[3] = (x + y) % 40 ? 255 : 254;  // no pixel art
+        }
+    const Model model = painted(document, {drawing}, plain);
+    int dark = 0;
+    for (int v = 0; v < model.mesh.V.rows(); ++v)
+      if (model.mesh.V(v, 0) > 0 && model.mesh.V(v, 2) > 0.3)
+        dark += texel(model, v).r < (kRed.r * 0.82 + kRed.r) / 2;
+    EXPECT_EQ(dark > 0, !common) << dark;
+  }
+}
+
 // Stairs of few colours: every texel has one of them.
 TEST(Texture, PixelArtKeepsItsColours) {
   constexpr int kSquare = 6;  // pixels

@@ -1,0 +1,14 @@
+// Shade told from colour: drawings in flat colours shade by a second tone, which belongs to the
+// light and not to the surface.
+#pragma once
+
+#include "model/texture/drawn_surface.h"
+
+namespace artisketch {
+
+// Gives shaded pixels of the sketches the lit tone of their colour, part by part. A tone counts as
+// another one's shade where it is that much darker, in nearly the same hue, borders on it, and
+// parts of other colours have a shade just like it. Drawings without flat colours stay as they are.
+void take_lit_tones(const Skeleton& skeleton, std::vector<Sketch>& sketches);
+
+}  // namespace artisketch
