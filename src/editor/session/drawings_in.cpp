@@ -164,8 +164,10 @@ void begin_with_template(App& app, Template kind) {
     next = with_template(std::move(next), kind, frame, std::nullopt);
   }
   for (const TemplateWords& words : all_templates())
-    if (words.kind == kind)
+    if (words.kind == kind) {
       app.session.commit(std::string(words.name) + " skeleton", std::move(next));
+      break;
+    }
   app.session.selection.joint = kind == Template::blank ? 0 : -1;
 }
 

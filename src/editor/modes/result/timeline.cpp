@@ -105,7 +105,7 @@ void transport(App& app, Rect row, double length) {
 void keys_row(App& app, int c, const Rect& band, const Ruler& ruler) {
   const Theme& t = theme();
   const int animation = c - 1;
-  const Clip& clip = app.session.built->model.clips[std::size_t(c)];
+  const Clip clip = app.session.built->model.clips[std::size_t(c)];  // a gesture makes them anew
   for (int k = 0; k < int(clip.times.size()); ++k) {
     const ImVec2 at{ruler.of(clip.times[std::size_t(k)]), band.centre().y};
     const bool chosen = c == app.session.playback.clip && k == app.session.playback.key;
