@@ -27,15 +27,16 @@ ContourSet of_joints(const Frame& frame, const std::set<int>& joints) {
   return found;
 }
 
-void copy(App& app, int to, bool replaces) {
+void lay_copies(App& app, int to, bool replaces) {
   const ContourSet chosen = app.session.chosen_outlines();
   const std::string words = "Copy " + outlines_words(app, chosen);
   const std::vector<LooseOutline> loose =
       loose_outlines(app.document(), app.session.selection.frame, chosen);
   Document next = app.document();
-  if (replaces)
-    next = without_contours(std::move(next), to,
-                            of_joints(next.frames[std::size_t(to)], chosen_joints(app)));
+  if (replaces) {
+    const ContourSet own = of_joints(next.frames[std::size_t(to)], chosen_joints(app));
+    next = without_contours(std::move(next), to, own);
+  }
   app.session.selection.frame = to;
   lay(app, words, std::move(next), loose);
 }
@@ -43,14 +44,14 @@ void copy(App& app, int to, bool replaces) {
 void copy_or_ask(App& app, int to) {
   const Frame& there = app.document().frames[std::size_t(to)];
   const ContourSet own = of_joints(there, chosen_joints(app));
-  if (own.empty()) return copy(app, to, false);
+  if (own.empty()) return lay_copies(app, to, false);
   const std::string drawing = drawing_words(app.document(), to);
   Question question;
   question.title = drawing + " has that part already";
   question.words = own.size() == 1 ? "Its outline there can make room for the copy, or stay."
                                    : "Its outlines there can make room for the copy, or stay.";
-  question.answers = {{"Replace", [&app, to] { copy(app, to, true); }, true},
-                      {"Keep both", [&app, to] { copy(app, to, false); }},
+  question.answers = {{"Replace", [&app, to] { lay_copies(app, to, true); }, true},
+                      {"Keep both", [&app, to] { lay_copies(app, to, false); }},
                       {"Cancel", {}}};
   app.question = std::move(question);
 }
