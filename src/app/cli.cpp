@@ -31,6 +31,7 @@
 #include "model/calibrate/unseen_sides.h"
 #include "model/rig/library.h"
 #include "model/rig/retarget.h"
+#include "model/rig/rig_profile.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -56,7 +57,7 @@ struct Arguments {
   RetargetOptions retarget;
   std::vector<std::string> clips;
   SpriteOptions sprites;
-  std::string json;
+  std::string json, rig;
 };
 
 // What will be written, all of it made before anything is.
@@ -359,8 +360,14 @@ int reconstruct_verb(Arguments& a) {
   if (moved) library->insert(library->begin(), moved->clip);
   result->model.clips.insert(result->model.clips.begin() + 1, library->begin(), library->end());
 
+  std::optional<Model> rigged;
+  if (!a.rig.empty()) {
+    Result<Model> made = with_rig(result->model, a.rig);
+    if (!made) return fail(bad_input("--rig " + a.rig + ": " + made.error().text()));
+    rigged = std::move(*made);
+  }
   std::vector<Output> outputs;
-  Result<std::string> model = model_bytes_for(ending, result->model);
+  Result<std::string> model = model_bytes_for(ending, rigged ? *rigged : result->model);
   if (!model) return fail(model.error());
   const std::size_t size = model->size();
   if (!a.calibrated.empty())
@@ -533,6 +540,10 @@ int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
   make.add_option("--motion", a.motion, "a recorded motion to add as a clip (.bvh)");
   make.add_option("--clip", a.clips,
                   "a clip of the library, like walk or walk:stride=1.2,bounce=0.5; again for more");
+  std::vector<std::string> rigs;
+  for (const RigProfile& profile : rig_profiles()) rigs.push_back(profile.name);
+  make.add_option("--rig", a.rig, "name and complete a person's joints as an engine has them")
+      ->check(CLI::IsMember(rigs));
   make.add_flag("--in-place", a.retarget.in_place, "leave out the motion's way over the ground");
   make.add_flag("--raw-feet{false}", a.retarget.plant_feet,
                 "feet as the motion has them: they may slide and float");
