@@ -279,6 +279,13 @@ std::string text_beside(Document document, const std::string& from, const std::s
   return document_text(document);
 }
 
+// What a stage finds wrong says of which file: it knows none.
+Error said_of(const std::string& file, Error error) {
+  if (error.kind == Error::Kind::bad_input)
+    for (std::string& fault : error.faults) fault = file + ": " + fault;
+  return error;
+}
+
 int write_trace(const std::string& folder, const Trace& trace) {
   if (folder.empty()) return kDone;
   std::error_code failed;
@@ -355,7 +362,7 @@ int reconstruct_verb(Arguments& a) {
   command.finish();
   // What a failed run found before it failed is wanted most of all.
   if (const int status = write_trace(a.trace, trace)) return status;
-  if (!result) return fail(result.error());
+  if (!result) return fail(said_of(a.in, result.error()));
   print_warnings(result->warnings);
   if (moved) library->insert(library->begin(), moved->clip);
   result->model.clips.insert(result->model.clips.begin() + 1, library->begin(), library->end());
@@ -402,7 +409,7 @@ int calibrate_verb(const Arguments& a) {
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   command.finish();
-  if (!result) return fail(result.error());
+  if (!result) return fail(said_of(a.in, result.error()));
   print_warnings(result->warnings);
   std::vector<Output> outputs;
   if (!a.report.empty()) outputs.push_back({a.report, report_text(*document, *result, seconds)});
