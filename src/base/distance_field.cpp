@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "base/within.h"
+
 namespace artisketch {
 namespace {
 
@@ -73,8 +75,8 @@ bool PolygonDistance::inside(const Vec2& p) const {
 
 double PolygonDistance::nearest(const Vec2& p, Vec2& on_line) const {
   const Vec2 at = (p - box_.min()) / bucket_;
-  const int cx = std::clamp(int(std::floor(at.x())), 0, nx_ - 1);
-  const int cy = std::clamp(int(std::floor(at.y())), 0, ny_ - 1);
+  const int cx = int(within(at.x(), 0, nx_ - 1));
+  const int cy = int(within(at.y(), 0, ny_ - 1));
   double best2 = std::numeric_limits<double>::infinity();
   const auto look = [&](int x, int y) {
     for (int i = bucket_start_[y * nx_ + x]; i < bucket_start_[y * nx_ + x + 1]; ++i) {
@@ -263,7 +265,7 @@ double SampledDistance::distance_beyond(const Vec2& p, Vec2& gradient) const {
     return std::numeric_limits<double>::infinity();
   }
   const double rx = (p.x() - origin_.x()) * per_pixel_, ry = (p.y() - origin_.y()) * per_pixel_;
-  const double ax = std::clamp(rx, 0.0, nx_ - 1.001), ay = std::clamp(ry, 0.0, ny_ - 1.001);
+  const double ax = within(rx, 0, nx_ - 1.001), ay = within(ry, 0, ny_ - 1.001);
   const double value = interpolated(ax, ay, gradient);
   if (rx == ax && ry == ay) return value;
   // As far as from the point that is nearest to the border's.

@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/within.h"
+
 namespace artisketch {
 namespace {
 
@@ -38,8 +40,8 @@ void for_samples(const Grid3<float>& g, const Box3& box, std::span<const HalfSpa
                  const Visit& visit) {
   int low[3], high[3];
   for (int a = 0; a < 3; ++a) {
-    low[a] = int(std::ceil(std::clamp(box.min()[a], 0.0, double(g.size[a]))));
-    high[a] = int(std::floor(std::clamp(box.max()[a], -1.0, double(g.size[a] - 1))));
+    low[a] = int(std::ceil(within(box.min()[a], 0, g.size[a])));
+    high[a] = int(std::floor(within(box.max()[a], -1, g.size[a] - 1)));
   }
   for (int k = low[2]; k <= high[2]; ++k)
     for (int j = low[1]; j <= high[1]; ++j) {
@@ -207,8 +209,7 @@ class ScanConversion {
 
 // The samples i of n with low ≤ i < high, as [first, last).
 std::pair<int, int> samples_between(double low, double high, int n) {
-  return {int(std::ceil(std::clamp(low, 0.0, double(n)))),
-          int(std::ceil(std::clamp(high, 0.0, double(n))))};
+  return {int(std::ceil(within(low, 0, n))), int(std::ceil(within(high, 0, n)))};
 }
 
 // Winding number at every sample. Along a row of samples in x, a face that is met from outside adds

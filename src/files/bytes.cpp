@@ -174,6 +174,10 @@ Result<std::string> read_file(const std::string& path) {
   struct stat is;
   if (::fstat(in.get(), &is) != 0) return failure(path + ": cannot be read", errno);
   if (S_ISDIR(is.st_mode)) return io_error(folder_words(path));
+  const auto too_large = [&] {
+    return io_error(path + ": is larger than 1 GB; no file of ours is");
+  };
+  if (S_ISREG(is.st_mode) && std::uintmax_t(is.st_size) > kLargestFile) return too_large();
   std::string bytes;
   std::array<char, 1 << 16> chunk;
   constexpr int kForAWriter = 1000, kForBytes = 60000;  // ms
@@ -189,8 +193,7 @@ Result<std::string> read_file(const std::string& path) {
     if (n < 0) return failure(path + ": cannot be read", errno);
     if (n == 0) return bytes;
     bytes.append(chunk.data(), std::size_t(n));
-    if (bytes.size() > kLargestFile)
-      return io_error(path + ": is larger than 1 GB; no file of ours is");
+    if (bytes.size() > kLargestFile) return too_large();
   }
 }
 

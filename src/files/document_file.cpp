@@ -21,7 +21,7 @@ constexpr double kUnitSlack = 1e-3;    // a rotation further off unit length is 
 constexpr double kUnitAsGiven = 1e-6;  // one closer to it is left as it is
 
 constexpr Range kLength{-1e9, 1e9, "a number from -1e9 to 1e9"};
-constexpr Range kPositive{0, 1e9, "a number above 0, at most 1e9", true};
+constexpr Range kPositive{1e-9, 1e9, "a number from 1e-9 to 1e9"};
 constexpr Range kNotNegative{0, 1e9, "a number from 0 to 1e9"};
 constexpr Range kPixel{-1e6, 1e6, "a number of pixels from -1e6 to 1e6"};
 constexpr Range kUnit{-1.001, 1.001, "a part of a unit quaternion, from -1 to 1"};

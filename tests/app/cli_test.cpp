@@ -280,6 +280,42 @@ TEST_F(CommandLine, CheckFindsWhatReconstructFailsAt) {
   EXPECT_EQ(run({"check", write("good.artisketch", with(one + "," + line))}), 0) << err;
 }
 
+// A body and an arm in two drawings, whose unit is so many pixels.
+std::string two_views(const std::string& pixels_per_unit) {
+  const auto frame = [](const std::string& turned, const std::string& x0, const std::string& x1) {
+    return R"({"size":[256,256],"pose":{"root_position":[0,0,0],"rotations":{"body":)" + turned +
+           R"(}},"contours":[{"joint":"body","points":[[)" + x0 + ",78],[" + x1 + ",78],[" + x1 +
+           ",178],[" + x0 + R"(,178]]},{"joint":"arm","points":[[118,90],[138,90],[138,110]]}]})";
+  };
+  return R"({"artisketch":1,"camera":{"type":"orthographic","pixels_per_unit":)" + pixels_per_unit +
+         R"(},"skeleton":{"joints":[{"name":"body","parent":null,"offset":[0,0,0]},)"
+         R"({"name":"arm","parent":"body","offset":[0.2,0.28,0]}]},"frames":[)" +
+         frame("[0,0,0,1]", "108", "148") + "," +
+         frame("[0,0.7071067811865476,0,0.7071067811865476]", "113", "143") + "]}";
+}
+
+TEST_F(CommandLine, ScenesOfAnySizeEndInAModelOrAnErrorThatNamesTheFile) {
+  for (const char* scale : {"1e-300", "1e-9", "1e-3", "200000", "1e9"}) {
+    SCOPED_TRACE(scale);
+    const std::string in = write("scale.artisketch", two_views(scale));
+    const int status = run({"reconstruct", in, "-o", path("x.glb"), "--grid", "16", "--quiet"});
+    EXPECT_TRUE(status == 0 || err.find(in + ": ") != err.npos) << err;
+    EXPECT_TRUE(status == 0 || status == 1) << status;
+  }
+}
+
+// Whose part has no rims then.
+TEST_F(CommandLine, ACameraInTheMidstOfWhatIsDrawnIsNoWantOfMemory) {
+  std::string text = two_views("100");
+  const std::string camera = R"("orthographic","pixels_per_unit":100)";
+  text.replace(text.find(camera), camera.size(),
+               R"("perspective","focal_length":1.04,"distance":0.004)");
+  text.replace(text.find("0.2,0.28,0"), 10, "0.2,0.28,-1");
+  const std::string in = write("near.artisketch", text);
+  run({"reconstruct", in, "-o", path("x.glb"), "--grid", "16", "--quiet"});
+  EXPECT_EQ(err.find("memory"), err.npos) << err;
+}
+
 TEST_F(CommandLine, MotionIsSaidToBeLeftOutOfASurface) {
   EXPECT_EQ(run({"reconstruct", kCircles, "-o", path("c.obj"), "--motion", "walk.bvh", "--grid",
                  "16", "--no-texture"}),

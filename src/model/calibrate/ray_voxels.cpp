@@ -7,6 +7,8 @@
 
 #include <nanoflann.hpp>
 
+#include "base/within.h"
+
 namespace artisketch {
 
 std::vector<int> voxels_along(const VoxelCube& cube, const Ray& ray, bool whole_line) {
@@ -27,7 +29,7 @@ std::vector<int> voxels_along(const VoxelCube& cube, const Ray& ray, bool whole_
   std::array<int, 3> at, step;
   std::array<double, 3> next, delta;  // depth (in cells) to the next face, and from face to face
   for (int a = 0; a < 3; ++a) {
-    at[a] = std::clamp(int(std::floor(start[a])), 0, cube.side - 1);
+    at[a] = int(within(start[a], 0, cube.side - 1));
     const double d = ray.direction[a];
     step[a] = d > 0 ? 1 : -1;
     delta[a] = std::abs(d) < 1e-12 ? kFar : 1 / std::abs(d);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/within.h"
+
 namespace artisketch {
 namespace {
 
@@ -68,7 +70,7 @@ double Body::part_distance(int part, const Vec3& p, Vec3& gradient) const {
   Vec3 beyond = Vec3::Zero();
   for (int a = 0; a < 3; ++a) {
     const double x = (p[a] - f.origin[a]) / f.cell;
-    const double c = std::clamp(x, 0.0, double(f.size[a] - 1));
+    const double c = within(x, 0, f.size[a] - 1);
     beyond[a] = (x - c) * f.cell;
     at[a] = std::min(int(c), f.size[a] - 2);
     w[a] = c - at[a];
@@ -191,7 +193,7 @@ void Body::fill_block(const Vec3& first, double cell, std::span<const int> near,
     for (int a = 0; a < 3; ++a)
       for (int s = 0; s < n; ++s) {
         const double x = (first[a] + cell * s - f.origin[a]) / f.cell;
-        const double in = std::clamp(x, 0.0, double(f.size[a] - 1));
+        const double in = within(x, 0, f.size[a] - 1);
         const int at = std::min(int(in), f.size[a] - 2);
         axes[a].at[s] = at * stride[a];
         axes[a].w[s] = float(in - at);

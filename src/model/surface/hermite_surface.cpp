@@ -6,6 +6,8 @@
 
 #include <Eigen/Dense>
 
+#include "base/ensure.h"
+
 namespace artisketch {
 namespace {
 
@@ -77,6 +79,7 @@ void project(const Eigen::HouseholderQR<Matrix>& qr, Matrix& K) {
 HermiteSurface::HermiteSurface(std::span<const SurfacePoint> points,
                                const HermiteOptions& options) {
   const int n = int(points.size());
+  ensure(n >= kFewestSurfacePoints, "points enough for a surface");
   Box3 box;
   for (const SurfacePoint& point : points) box.extend(point.position);
   centre_ = box.center();

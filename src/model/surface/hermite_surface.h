@@ -20,6 +20,8 @@ struct SurfacePoint {
   Vec3 sight;   // unit, across the normal: the way along which the surface turns away
 };
 
+inline constexpr int kFewestSurfacePoints = 2;  // fewer determine nothing beside a linear function
+
 struct HermiteOptions {
   double length = 0;          // units that the ridges refer to, such as the part's half thickness;
                               // no less than an eighth of the points' extent counts

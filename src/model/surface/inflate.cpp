@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 
+#include "base/within.h"
+
 namespace artisketch {
 
 constexpr double kFar = 5;  // cells outside from which a sample needs no better distance
@@ -102,7 +104,7 @@ void inflate(const Silhouette& silhouette, std::span<const Bone> bones, const Ve
         if (!camera.in_front(X)) continue;
         const Vec2 pixel = camera.project(X);
         const Vec2 at = (pixel - origin) / step;
-        const int x = std::clamp(int(at.x()), 0, nx - 2), y = std::clamp(int(at.y()), 0, ny - 2);
+        const int x = int(within(at.x(), 0, nx - 2)), y = int(within(at.y(), 0, ny - 2));
         const double wx = std::clamp(at.x() - x, 0.0, 1.0), wy = std::clamp(at.y() - y, 0.0, 1.0);
         const float* v = &u[std::size_t(y) * nx + x];
         const double low = (1 - wx) * v[0] + wx * v[1], high = (1 - wx) * v[nx] + wx * v[nx + 1];

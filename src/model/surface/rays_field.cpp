@@ -157,6 +157,12 @@ bool leaves_nothing(const Grid3<float>& surface, const Grid3<float>& hull, doubl
   return in_both < std::max(kLeast * expected, kAtAll) * in_hull;
 }
 
+// Where the rims lie nowhere, as before a camera that stands in the figure's midst.
+RaysField hull_alone(RaysField field) {
+  field.rims.clear();
+  return field;
+}
+
 // hull = max(hull, surface)
 void cut_to(const Grid3<float>& surface, Grid3<float>& hull) {
   for (std::size_t i = 0; i < hull.values.size(); ++i)
@@ -194,11 +200,15 @@ Result<RaysField> rays_field(const Part& part, const RaysFieldOptions& options, 
   rough.value_ridge *= kLooser;
   for (int pass = 0; pass < options.refits; ++pass) {
     if (run.cancelled()) return cancelled();
-    const HermiteSurface f(surface_points(*carving, out.rims, kCoarser), rough);
+    const std::vector<SurfacePoint> points = surface_points(*carving, out.rims, kCoarser);
+    if (int(points.size()) < kFewestSurfacePoints) return hull_alone(std::move(out));
+    const HermiteSurface f(points, rough);
     for (RayRim& rim : out.rims) detect_depths(*carving, box, f, rim);
   }
   if (run.cancelled()) return cancelled();
-  const HermiteSurface f(surface_points(*carving, out.rims), fine);
+  const std::vector<SurfacePoint> points = surface_points(*carving, out.rims);
+  if (int(points.size()) < kFewestSurfacePoints) return hull_alone(std::move(out));
+  const HermiteSurface f(points, fine);
   Grid3<float> surface = plump(f, out.rims, carving->radius, part.fatness, out.distance);
   // Of a round body's hull by two views the body is π/4 times the sine between them.
   if (part.fatness >= 1 && leaves_nothing(surface, out.distance, std::sqrt(carving->spread)))
