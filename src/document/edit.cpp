@@ -113,8 +113,9 @@ Document with_camera_type(Document document, Camera::Type type) {
   Camera& camera = document.camera;
   if (camera.type == type) return document;
   camera.type = type;
+  constexpr double kLeast = 1e-9, kMost = 1e9;  // that a document holds
   if (type == Camera::Type::orthographic) {
-    camera.pixels_per_unit = camera.focal_length / camera.distance;
+    camera.pixels_per_unit = std::clamp(camera.focal_length / camera.distance, kLeast, kMost);
     return document;
   }
   // A skeleton of one joint has no height; what is drawn may have.
@@ -132,8 +133,8 @@ Document with_camera_type(Document document, Camera::Type type) {
   }
   if (!(height > 0)) height = 1;
   constexpr double kHeights = 4;
-  camera.distance = std::max(kHeights * height, nearest + height);
-  camera.focal_length = camera.pixels_per_unit * camera.distance;
+  camera.distance = std::clamp(std::max(kHeights * height, nearest + height), kLeast, kMost);
+  camera.focal_length = std::clamp(camera.pixels_per_unit * camera.distance, kLeast, kMost);
   for (Frame& frame : document.frames) frame.scale = 1;
   return document;
 }
@@ -148,9 +149,26 @@ std::vector<Contour>& contours_in(Document& document, int frame, int contour = 0
   (void)contour;
   return contours;
 }
+
+Vec2 within_paper(const Vec2& p) {
+  constexpr double kFarthest = 1e6;  // pixels, as FORMAT.md has it
+  return p.cwiseMax(-kFarthest).cwiseMin(kFarthest);
+}
+
+// As FORMAT.md has contours: points within its bounds, none like the one before it. False where too
+// few are left for a line.
+bool made_storable(Polyline& line) {
+  std::vector<Vec2>& points = line.points;
+  for (Vec2& p : points) p = within_paper(p);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  while (line.closed && points.size() > 1 && points.back() == points.front()) points.pop_back();
+  return points.size() >= (line.closed ? 3u : 2u);
+}
 }  // namespace
 
+// A contour of fewer different points than a line has is not added, nor made of one that is there.
 Document with_contour(Document document, int frame, Contour contour) {
+  if (!made_storable(contour.line)) return document;
   document = with_hidden(std::move(document), frame, contour.joint, false);
   contours_in(document, frame).push_back(std::move(contour));
   return document;
@@ -168,7 +186,11 @@ Document with_contour_joint(Document document, int frame, int contour, int joint
 }
 
 Document with_contour_points(Document document, int frame, int contour, std::vector<Vec2> points) {
-  contours_in(document, frame, contour)[contour].line.points = std::move(points);
+  Polyline& line = contours_in(document, frame, contour)[contour].line;
+  if (Polyline next{points, line.closed}; !made_storable(next)) return document;
+  // A point dragged onto the next one stays a point of its own: whoever drags it counts them.
+  for (Vec2& p : points) p = within_paper(p);
+  line.points = std::move(points);
   return document;
 }
 
@@ -186,7 +208,7 @@ std::optional<Document> with_contours_joined(const Document& document, int frame
   const std::vector<Contour>& contours = document.frames.at(frame).contours;
   if (contour == other) return std::nullopt;
   std::optional<Polyline> line = joined(contours.at(contour).line, contours.at(other).line, reach);
-  if (!line) return std::nullopt;
+  if (!line || !made_storable(*line)) return std::nullopt;
   Document next = document;
   next.frames[frame].contours[contour].line = std::move(*line);
   return without_contour(std::move(next), frame, other);

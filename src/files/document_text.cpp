@@ -135,7 +135,13 @@ Json Writer::frame(const Frame& frame) const {
     one["joint"] = name(contour.joint);
     if (!contour.line.closed) one["closed"] = false;
     Json& points = one["points"] = Json::array();
-    for (const Vec2& point : contour.line.points) points.push_back(numbers(point));
+    // A reader drops points that repeat the one before: none are written, so that a text comes
+    // back.
+    const std::vector<Vec2>& all = contour.line.points;
+    std::size_t count = all.size();
+    while (contour.line.closed && count > 1 && all[count - 1] == all[0]) --count;
+    for (std::size_t i = 0; i < count; ++i)
+      if (i == 0 || all[i] != all[i - 1]) points.push_back(numbers(all[i]));
     contours.push_back(with_unknown(std::move(one), contour.unknown));
   }
   for (const int joint : frame.hidden) out["hidden"].push_back(name(joint));

@@ -368,6 +368,18 @@ TEST(Contours, BehindAndInFrontStayWithinTheDrawing) {
   EXPECT_EQ(with_contour_shifted(document, 0, 0, -1).frames[0].contours[0].joint, 1);
 }
 
+TEST(Contours, HoldWhatADocumentCanHold) {
+  const Vec2 a(0, 0), b(10, 0), c(0, 10);
+  Document document = with_contour(figure(), 0, {1, {{a, a, b, b, c, {-1e9, 0}, a}}, ""});
+  const std::vector<Vec2>& points = document.frames[0].contours[0].line.points;
+  EXPECT_EQ(points, (std::vector<Vec2>{a, b, c, {-1e6, 0}}));
+  EXPECT_EQ(with_contour(document, 0, {1, {{a, b, a, a}}, ""}).frames[0].contours.size(), 1u);
+  document = with_contour_points(document, 0, 0, {a, b, b, c});  // as a drag passes its neighbour
+  EXPECT_EQ(document.frames[0].contours[0].line.points.size(), 4u);
+  EXPECT_EQ(with_contour_points(document, 0, 0, {a, a, b}).frames[0].contours[0].line.points,
+            document.frames[0].contours[0].line.points);
+}
+
 TEST(Frames, CopyMoveAndRemoveKeepTheOthers) {
   Document document = with_frame_copied(figure(), 0);
   ASSERT_EQ(document.frames.size(), 2u);

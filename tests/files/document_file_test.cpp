@@ -219,6 +219,17 @@ TEST(DocumentFile, RepeatedPointsAreDropped) {
             (std::vector<Vec2>{{10, 10}, {50, 10}, {30, 40}}));
 }
 
+TEST(DocumentFile, RepeatedPointsAreNotWritten) {
+  Document document = *read_document(kGolden + "version1.artisketch");
+  Contour& contour = document.frames[0].contours[0];
+  contour.line = {{{0, 0}, {0, 0}, {9, 0}, {9, 9}, {9, 9}, {0, 0}}, true};
+  const std::string text = document_text(document);
+  const Result<Document> again = parse_document(text, "x");
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->frames[0].contours[0].line.points.size(), 3u);
+  EXPECT_EQ(document_text(*again), text);
+}
+
 TEST(DocumentFile, AFaultSaysWhereAndWhatWouldBeRight) {
   ASSERT_TRUE(parse_document(kGood, "F")) << parse_document(kGood, "F").error().text();
   expect_fault("\"artisketch\": 1", "\"artisketch\": 2",
@@ -226,8 +237,7 @@ TEST(DocumentFile, AFaultSaysWhereAndWhatWouldBeRight) {
                "newer program");
   expect_fault("\"artisketch\": 1,", "",
                "/artisketch: is missing; should be 1, the version of the format");
-  expect_fault("900", "-900",
-               "/camera/focal_length: is -900; should be a number above 0, at most 1e9");
+  expect_fault("900", "-900", "/camera/focal_length: is -900; should be a number from 1e-9 to 1e9");
   expect_fault("\"perspective\"", "\"fisheye\"",
                "/camera/type: is 'fisheye'; should be 'orthographic' or 'perspective'");
   expect_fault("\"distance\": 4", "\"distance\": NaN",
@@ -290,7 +300,7 @@ TEST(DocumentFile, AFaultSaysWhereAndWhatWouldBeRight) {
                "/calibration/locked/0: names 'leg', which is no joint; should be a name in "
                "/skeleton/joints");
   expect_fault("\"radius\": 0.5", "\"radius\": 0",
-               "/spheres/body/radius: is 0; should be a number above 0, at most 1e9");
+               "/spheres/body/radius: is 0; should be a number from 1e-9 to 1e9");
   expect_fault("\"fatness\": 1.5", "\"fatness\": 11",
                "/parts/body/fatness: is 11; should be a number above 0, at most 10");
   expect_fault(
