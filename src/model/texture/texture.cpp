@@ -5,6 +5,7 @@
 
 #include "base/raster.h"
 #include "model/texture/atlas.h"
+#include "model/texture/on_paper.h"
 #include "model/texture/unseen.h"
 
 namespace artisketch {
@@ -179,6 +180,8 @@ Image paint(const Atlas& atlas, const FaceNeighbours& neighbours, Painter painte
 
 Result<Model> textured(const Document& calibrated, std::span<const Image> drawings,
                        const Model& model, Run& run) {
+  const std::vector<Image> laid = laid_on_paper(drawings);
+  if (!laid.empty()) drawings = laid;
   const Result<DrawnSurface> surface = drawn_surface(calibrated, drawings, model, run);
   if (!surface) return surface.error();
   const FaceNeighbours neighbours = face_neighbours(model.mesh.F);

@@ -104,6 +104,21 @@ TEST(Texture, InkStaysOutlineAndTheFarSideTakesWhatSurroundsIt) {
     ASSERT_TRUE(is(texel(model, v), kRed, 6)) << model.mesh.V.row(v);
 }
 
+// A marker's layer at 40 % under opaque lines, on nothing: its colour as it looks on paper.
+TEST(Texture, WhatIsHalfTransparentIsPaintedAsItLooksOnPaper) {
+  constexpr int kAlpha = 102;
+  const Model plain = ball();
+  Image drawing = disc(kRed);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x)
+      if (std::uint8_t* p = drawing.at(x, y); p[0] == kRed.r && p[3] > 0) p[3] = kAlpha;
+  const auto pale = [](int c) { return (c * kAlpha + 255 * (255 - kAlpha)) / 255; };
+  const Model model = painted(document_of(plain.skeleton, {0}), {drawing}, plain);
+  for (int v = 0; v < model.mesh.V.rows(); ++v)
+    ASSERT_TRUE(is(texel(model, v), {pale(kRed.r), pale(kRed.g), pale(kRed.b)}, 6))
+        << model.mesh.V.row(v);
+}
+
 // A line a few pixels inside the outline would be smeared over what turns away there.
 TEST(Texture, LinesOfInkStayWhereTheyAreSeenSquarely) {
   const Model plain = ball();
