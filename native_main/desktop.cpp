@@ -1,14 +1,11 @@
 #include "desktop.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <tuple>
 
 #include <SDL.h>
 #include <stdio.h>
-#include <unistd.h>
 
 #include "files/bytes.h"
 #include "files/document_file.h"
@@ -65,14 +62,12 @@ Result<std::vector<NamedBytes>> read_all(const std::vector<std::string>& paths) 
 }
 
 constexpr int kRecents = 12;
-constexpr const char* kAutosave = "autosave";  // the editor's key for it
+constexpr const char *kAutosave = "autosave", *kLeft = "left";  // the editor's keys
 
 }  // namespace
 
-Desktop::Desktop(fs::path examples) : examples_(std::move(examples)), kept_(kept_folder()) {
-  std::error_code ignored;  // a folder that can't be made shows when something is stored
-  fs::create_directories(kept_, ignored);
-}
+Desktop::Desktop(fs::path examples)
+    : examples_(std::move(examples)), kept_(kept_folder()), work_(kept_) {}
 
 Desktop::~Desktop() {
   if (asking_.joinable()) asking_.join();
@@ -184,7 +179,9 @@ void Desktop::open_recent(const std::string& place, Opened then) {
 }
 
 void Desktop::store(const std::string& key, std::string bytes) {
-  const fs::path path = kept_at(key);
+  if (key == kAutosave) return (void)work_.keep(bytes).ok();
+  if (key == kLeft) return work_.forget_left();
+  const fs::path path = kept_ / key;
   std::error_code ignored;
   if (bytes.empty()) {
     fs::remove(path, ignored);
@@ -195,31 +192,10 @@ void Desktop::store(const std::string& key, std::string bytes) {
 }
 
 void Desktop::load(const std::string& key, std::function<void(std::string)> then) {
-  if (key == kAutosave) inherit();
-  const Result<std::string> bytes = read_file(kept_at(key).string());
+  const auto whole = [](const std::string& text) { return parse_document(text, "").ok(); };
+  if (key == kLeft) return then(work_.left_behind(whole));
+  const Result<std::string> bytes = read_file((kept_ / key).string());
   then(bytes ? *bytes : std::string());
-}
-
-// Each window keeps its work under its process's number.
-fs::path Desktop::kept_at(const std::string& key) const {
-  return kept_ / (key == kAutosave ? key + "-" + std::to_string(getpid()) : key);
-}
-
-// The newest work that a window left behind becomes this one's.
-void Desktop::inherit() {
-  fs::path newest;
-  fs::file_time_type latest{};
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(kept_, ignored)) {
-    const std::string name = entry.path().filename().string(),
-                      prefix = std::string(kAutosave) + "-";
-    if (!name.starts_with(prefix)) continue;
-    const int process = std::atoi(name.c_str() + prefix.size());
-    if (process <= 0 || kill(process, 0) == 0 || errno == EPERM) continue;  // it lives
-    const fs::file_time_type time = fs::last_write_time(entry.path(), ignored);
-    if (newest.empty() || time > latest) newest = entry.path(), latest = time;
-  }
-  if (!newest.empty()) fs::rename(newest, kept_at(kAutosave), ignored);
 }
 
 std::vector<ExampleCard> Desktop::examples() {

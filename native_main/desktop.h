@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "editor/session/platform.h"
+#include "kept_work.h"
 
 struct SDL_Window;
 
@@ -45,10 +46,9 @@ class Desktop : public Platform {
   // Runs a dialog's command; the lines that it prints come to `then` through deliver().
   void ask(std::string command, std::function<void(std::vector<std::string>)> then);
   void remember(const std::string& place);
-  std::filesystem::path kept_at(const std::string& key) const;
-  void inherit();
 
   std::filesystem::path examples_, kept_;
+  KeptWork work_;
   SDL_Window* window_ = nullptr;
   std::thread asking_;
   std::mutex mutex_;

@@ -30,6 +30,14 @@ function browserFiles(kept, tell) {
   // A document opened or saved: by its handle where the browser has such, else by a copy.
   async function remember(name, place, handle, bytes) {
     if (!isDocument(name)) return;
+    try {
+      await list(name, place, handle, bytes);
+    } catch {
+      // It is missing among the recent ones, no more: it was opened, or saved.
+    }
+  }
+
+  async function list(name, place, handle, bytes) {
     const all = (await kept.all('recents')).sort((a, b) => b.time - a.time);
     const same = all.find((one) => one.place === place || (!handle && !one.handle && one.name === name));
     const key = place || same?.place || `copy-${crypto.randomUUID()}`;

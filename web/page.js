@@ -202,6 +202,22 @@ const artisketch = (() => {
     });
   }
 
+  // The browser may take the graphics card back, or the card may fail. What was drawn with it is gone;
+  // the document is not: it is kept as ever, and offered by the next page.
+  function watchGraphics() {
+    const kKept = 4000; // ms: by then a change is kept
+    canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      const frames = setInterval(stir, 500);
+      fail('The browser took the graphics card from this page. Your work is being kept …');
+      setTimeout(() => {
+        clearInterval(frames);
+        unsaved = false;
+        fail('The browser took the graphics card from this page. Your work is kept: reload the page to go on.');
+      }, kKept);
+    });
+  }
+
   function clickCanvas({left, top, width, height}) {
     const at = {clientX: left + width / 2, clientY: top + height / 2, bubbles: true, button: 0};
     const steps = ['mousemove', 'mousedown', 'mouseup'];
@@ -240,6 +256,7 @@ const artisketch = (() => {
   // ------------------------------------------------------------ what browser.cpp asks for
 
   let unsaved = false;
+  let saidNotKept = false; // once is enough
   // [[name, drawings]…]; the first greets, and comes with its model.
   const examples = JSON.parse(document.querySelector('meta[name=examples]').content);
   const fetched = new Map(); // example → promise
@@ -267,13 +284,21 @@ const artisketch = (() => {
         if (!aborted(error)) tell('page_saved', question, '', '', words(error));
       }
     },
-    store(key, bytes) {
+    async store(key, bytes) {
       const name = key === 'autosave' ? own.name : key;
-      (bytes.length ? kept.put('kept', name, {time: Date.now(), bytes}) : kept.drop('kept', name))
-        .catch(() => {});
+      try {
+        if (key === 'left') await own.forgetLeft();
+        else if (!bytes.length) await kept.drop('kept', name);
+        else await kept.put('kept', name, {time: Date.now(), bytes});
+        if (key === 'autosave' && bytes.length && !await kept.lasts()) throw new Error('it forbids it');
+      } catch (error) {
+        if (key !== 'autosave' || !bytes.length || saidNotKept) return;
+        saidNotKept = true;
+        tell('page_opened', 0, `The browser doesn't keep your work (${words(error)}): save it yourself`);
+      }
     },
     async load(question, key) {
-      const found = key === 'autosave' ? own.inherit() : kept.get('kept', key).then((it) => it?.bytes);
+      const found = key === 'left' ? own.leftBehind() : kept.get('kept', key).then((it) => it?.bytes);
       tell('page_loaded', question, await found.catch(() => undefined) ?? new Uint8Array());
     },
     async loadExample(question, name) {
@@ -302,9 +327,11 @@ const artisketch = (() => {
 
   function fail(why) {
     const place = document.getElementById('failure');
-    place.textContent = `ArtiSketch could not start: ${why}`;
+    place.textContent = why;
     place.hidden = false;
   }
+
+  const notStarted = (error) => fail(`ArtiSketch could not start: ${words(error)}`);
 
   async function start() {
     const program = compiled('editor.wasm');
@@ -321,7 +348,7 @@ const artisketch = (() => {
       host,
       instantiateWasm(imports, done) {
         program.then((it) => WebAssembly.instantiate(it, imports)).then(done)
-          .catch((error) => fail(words(error)));
+          .catch(notStarted);
         return {};
       },
     });
@@ -337,6 +364,7 @@ const artisketch = (() => {
     watchPen();
     files.watchDrops();
     watchControls();
+    watchGraphics();
     addEventListener('beforeunload', (event) => {
       if (unsaved) event.preventDefault();
     });
@@ -347,7 +375,7 @@ const artisketch = (() => {
   }
 
   const ready = start();
-  ready.catch((error) => fail(words(error)));
+  ready.catch(notStarted);
 
   return {
     ready,

@@ -2,7 +2,8 @@
 'use strict';
 
 function browserStorage() {
-  // IndexedDB, or, where that is refused, this tab's memory.
+  // IndexedDB, or, where that is refused or never answers, this tab's memory.
+  const kPatience = 5000; // ms
   const kept = (() => {
     const memory = {kept: new Map(), recents: new Map()};
     const database = new Promise((resolve) => {
@@ -13,6 +14,7 @@ function browserStorage() {
         };
         request.onsuccess = () => resolve(request.result);
         request.onerror = request.onblocked = () => resolve(null);
+        setTimeout(resolve, kPatience, null);
       } catch {
         resolve(null);
       }
@@ -25,6 +27,7 @@ function browserStorage() {
       transaction.onerror = transaction.onabort = () => reject(transaction.error);
     }));
     return {
+      lasts: () => database.then(Boolean), // beyond this tab
       async get(store, key) {
         if (!await database) return memory[store].get(key);
         return run(store, 'readonly', (s) => s.get(key));
@@ -49,29 +52,41 @@ function browserStorage() {
   })();
 
   // Each tab keeps its work under a name of its own, and holds a lock of that name for as long as it
-  // lives: what a tab finds without its lock was left behind.
+  // lives: what a tab finds without its lock was left behind. Without locks, all others' was.
   const own = (() => {
-    let name = 'autosave';
-    if (navigator.locks && crypto.randomUUID) {
-      name = `autosave-${crypto.randomUUID()}`;
-      navigator.locks.request(name, () => new Promise(() => {})).catch(() => {});
-    }
+    const name = `autosave-${crypto.randomUUID?.() ?? `${Date.now()}-${Math.random()}`}`;
+    // Whether the lock is this tab's from now on, until `until` resolves.
+    const hold = (lock, until) => new Promise((resolve) => {
+      if (!navigator.locks) return resolve(true);
+      navigator.locks.request(lock, {ifAvailable: true}, (held) => {
+        resolve(Boolean(held));
+        return held && until;
+      }).catch(() => resolve(false));
+    });
+    hold(name, new Promise(() => {}));
+    let left; // {key, release}: what this tab offers, in its place until that is answered
     return {
       name,
-      // The newest that was left behind, now this tab's.
-      async inherit() {
-        const held = new Set();
-        if (navigator.locks) (await navigator.locks.query()).held.forEach((lock) => held.add(lock.name));
-        const left = [];
+      // The newest that was left behind.
+      async leftBehind() {
+        const found = [];
         for (const key of await kept.keys('kept')) {
-          if (!/^autosave/.test(key) || key === name || held.has(key)) continue;
-          left.push({key, ...await kept.get('kept', key)});
+          if (/^autosave/.test(key) && key !== name) found.push({key, ...await kept.get('kept', key)});
         }
-        left.sort((a, b) => b.time - a.time);
-        if (!left.length) return undefined;
-        await kept.put('kept', name, {time: left[0].time, bytes: left[0].bytes});
-        await kept.drop('kept', left[0].key);
-        return left[0].bytes;
+        found.sort((a, b) => b.time - a.time);
+        for (const {key, bytes} of found) {
+          let release;
+          if (!await hold(key, new Promise((resolve) => { release = resolve; }))) continue;
+          left = {key, release};
+          return bytes;
+        }
+        return undefined;
+      },
+      async forgetLeft() {
+        if (!left) return;
+        const {key, release} = left;
+        left = undefined;
+        await kept.drop('kept', key).finally(release);
       },
     };
   })();

@@ -86,7 +86,7 @@ TEST_F(Files, ANameAsLongAsNamesCanBeIsWritten) {
 TEST_F(Files, ASaveThatIsKilledLeavesOldOrNew) {
   const std::string old(300000, 'a'), fresh(500000, 'b');
   ASSERT_TRUE(write_file(path("x"), old));
-  for (int moment = 0; moment < 60; ++moment) {
+  for (int moment = 0; moment < 200; ++moment) {
     const pid_t child = ::fork();
     if (child == 0) {
       for (;;) {

@@ -201,8 +201,10 @@ void autosave(App& app) {
   backup.unkept_since = -1;
 }
 
+// "left" is the newest work that a window left behind: it stays where it is until this is answered,
+// whatever is drawn, and kept under "autosave", meanwhile.
 void offer_recovery(App& app) {
-  app.services.platform.load("autosave", [&app](const std::string& text) {
+  app.services.platform.load("left", [&app](const std::string& text) {
     if (text.empty() || !parse_document(text, "the recovered document")) return;
     Toast toast;
     toast.words = "Work from last time was not saved.";
@@ -211,9 +213,11 @@ void offer_recovery(App& app) {
     toast.act = [&app, text] {
       open_document(app, {"", text, ""});
       app.session.file.saved = -1;
+      app.services.platform.store("autosave", text);
+      app.services.platform.store("left", "");
     };
     toast.other_action = "Discard";
-    toast.other_act = [&app] { app.services.platform.store("autosave", ""); };
+    toast.other_act = [&app] { app.services.platform.store("left", ""); };
     app.say(std::move(toast));
   });
 }

@@ -58,7 +58,7 @@ class Platform {
   virtual std::vector<Recent> recents() = 0;
   virtual void open_recent(const std::string& place, Opened then) = 0;
 
-  // Small things kept between sessions, by key: "autosave", "settings". Storing nothing removes.
+  // Small things kept between sessions, by key: "autosave", "left", "settings". Nothing removes.
   virtual void store(const std::string& key, std::string bytes) = 0;
   virtual void load(const std::string& key, std::function<void(std::string)> then) = 0;
 
