@@ -78,7 +78,10 @@ double coverage(const Silhouette& outline, const std::vector<const Silhouette*>&
 namespace {
 
 // Rays of the outlines (of the own ones, if just the mirrored yield) come inside all others.
-void swell(Carving& carving, bool mirrored_yield) {
+// Returns how far they lay outside on average, in the carving's radii.
+double swell(Carving& carving, bool mirrored_yield) {
+  double missed = 0;
+  int rays = 0;
   const auto asks = [&](const Silhouette& s) { return !mirrored_yield || !s.view->mirrored; };
   const auto yields = [&](const Silhouette& s) { return !mirrored_yield || s.view->mirrored; };
   std::vector<std::vector<DistanceRaster::Swelling>> swellings(carving.views.size());
@@ -88,7 +91,9 @@ void swell(Carving& carving, bool mirrored_yield) {
     for (const RayRim& line : outline_rays(view, kRays))
       for (const RimRay& ray : line.rays) {
         const Miss found = miss(ray.ray, others, carving.room, 0);
+        ++rays;
         if (!(found.distance > 0)) continue;
+        missed += found.distance / (view.view->pixels_per_unit(found.point) * carving.radius);
         // Every outline that it passes there must give way, each by what it lacks.
         for (const Silhouette& other : carving.views) {
           if (&other == &view || !yields(other)) continue;
@@ -104,12 +109,13 @@ void swell(Carving& carving, bool mirrored_yield) {
   }
   for (std::size_t v = 0; v < swellings.size(); ++v)
     carving.views[v].raster.swell(swellings[v], kWidth);
+  return rays > 0 ? missed / rays : 0;
 }
 
 }  // namespace
 
-void swell_until_covered(Carving& carving) {
-  swell(carving, false);
+double swell_until_covered(Carving& carving) {
+  return swell(carving, false);
 }
 
 void swell_mirrored(Carving& carving) {

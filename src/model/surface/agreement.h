@@ -24,8 +24,9 @@ double coverage(const Silhouette& outline, const std::vector<const Silhouette*>&
 // Wobbly outlines cut each other: every intersection of them is smaller than what was drawn. Swells
 // each outline by the few pixels, just where they are lacking, that let the others' rays meet the
 // hull; by at most kMostSwelling of its size, as views that disagree by more are wrong in their
-// pose.
-void swell_until_covered(Carving& carving);
+// pose. Returns by how much they contradict each other: how far their rays missed on average, as a
+// share of the carving's radius.
+double swell_until_covered(Carving& carving);
 // The same for the mirrored outlines alone, and the own outlines' rays: what is drawn stays, and a
 // mirrored outline gives way where its side differs.
 void swell_mirrored(Carving& carving);

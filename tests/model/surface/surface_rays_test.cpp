@@ -168,6 +168,13 @@ TEST(SurfaceRays, NearSidesThatContradictEachOtherMakeNoPlank) {
   }
 }
 
+// Outlines 35° apart tell something of the depth: less of it is believed where they contradict each
+// other, and the part stays nearer to as deep as wide than its outlines would have it (1.41).
+TEST(SurfaceRays, OutlinesTellTheDepthAsFarAsTheyAgree) {
+  const Part part = twice_drawn(35, ellipse(0.4, 1), ellipse(0.46, 0.94, {0.05, 0.02}));
+  EXPECT_LT(depth_over_width(surface_of(part)), 1.39);
+}
+
 TEST(SurfaceRays, FatnessActsBetweenNearSides) {
   Part part = twice_drawn(20, ellipse(0.4, 1), ellipse(0.4, 1));
   double last = 0;
