@@ -11,8 +11,8 @@
 // - joints whose parts still miss are turned out of that minimum, one at a time with all that hangs
 //   on them, or their limbs begun anew, and let fall into a better one;
 // - the rays' noise is measured on what is left, and the end refined with it: drawings that
-// disagree
-//   by pixels say little against the poses given, however well turning bones would explain them.
+//   disagree by pixels say little against the poses given, however well turning bones would explain
+//   them; nor is the first frame's pose then better known than theirs, and its limbs move, too.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -32,6 +32,13 @@ constexpr double kNoise = 10;  // pixels²: what the stages take a ray's error f
 constexpr double kLeastNoise = 0.1;
 constexpr double kNoisePerMean = 200;  // the noise that the mean robust error at the end speaks for
 constexpr int kRefinements = 4;        // with the noise measured
+// The mean robust error at the end, unit()², that counts as half a contradiction: rendered figures
+// leave 0.001 to 0.02 of it, people's drawings 0.6 to 1.4. Drawings that contradict each other
+// wholly are twice as noisy as their errors tell, since poses have given way to them already.
+constexpr double kContradicted = 0.15;
+// Of the prior's width, what the first frame's pose then gets, which was set with the most care;
+// and what moves nothing that would show.
+constexpr double kFirstShare = 0.5, kLeastFirstShare = 0.02;
 constexpr double kPriorShare = 0.27;  // of the limits: the prior's standard deviation at its widest
 constexpr double kPriorScale = 0.05;  // standard deviation of a frame's log scale
 
@@ -53,9 +60,10 @@ constexpr std::size_t kMostHeld = 24;  // joints without contours, looked at one
 
 // ---------------------------------------------------------------- what may move
 
-// Frames that show too few of the parts that others show keep the user's poses.
+// Frames that show too few of the parts that others show keep the user's poses; so does the first,
+// unless it's asked for.
 std::vector<char> frames_that_move(const Document& document,
-                                   const std::vector<std::vector<char>>& shared,
+                                   const std::vector<std::vector<char>>& shared, bool first,
                                    std::vector<std::string>& warnings) {
   std::vector<int> parts;
   for (const std::vector<char>& frame : shared)
@@ -64,7 +72,7 @@ std::vector<char> frames_that_move(const Document& document,
   std::vector<char> moves;
   for (int f = 0; f < int(parts.size()); ++f) {
     const bool enough = parts[f] > 0 && parts[f] >= kEnoughParts * most;
-    moves.push_back(enough && (f > 0 || document.calibration.free_first_frame));
+    moves.push_back(enough && (f > 0 || first));
     if (!enough)
       warnings.push_back(frame_words(document, f) + ": just " + std::to_string(parts[f]) +
                          " of its parts can be compared with other frames: its pose stays as " +
@@ -74,14 +82,14 @@ std::vector<char> frames_that_move(const Document& document,
 }
 
 // Joints may turn where contours that can be compared hang on them.
-PoseFreedom freedom_of(const Document& document, std::vector<std::string>& warnings) {
+PoseFreedom freedom_of(const Document& document, bool first, std::vector<std::string>& warnings) {
   const PoseLimits limits = pose_limits(document);
   const auto shared = shared_contours(document);
   PoseFreedom freedom;
   freedom.max_rotation = limits.max_rotation;
   freedom.max_translation = limits.max_translation;
   freedom.scale = document.calibration.scale;
-  freedom.frame = frames_that_move(document, shared, warnings);
+  freedom.frame = frames_that_move(document, shared, first, warnings);
   const int joints = document.skeleton.size();
   for (std::size_t f = 0; f < document.frames.size(); ++f) {
     freedom.joint.emplace_back(joints, 0);
@@ -322,7 +330,8 @@ SolvedPoses unneeded_held(const Document& document, const RayResiduals& residual
 Result<Calibration> calibrate_rays(const Document& document, Run& run) {
   Calibration result;
   const RayResiduals residuals = RayResiduals(document, kRayStep, kMostRays).thinned();
-  const PoseFreedom freedom = freedom_of(document, result.warnings);
+  const PoseFreedom freedom =
+      freedom_of(document, document.calibration.free_first_frame, result.warnings);
   // A limit of nothing is a prior of next to nothing: widths are divided by.
   constexpr double kLeastTurn = 1e-6;   // radians
   constexpr double kLeastShift = 1e-3;  // pixels
@@ -340,18 +349,31 @@ Result<Calibration> calibrate_rays(const Document& document, Run& run) {
   const auto robust = [&](const PoseChange& change) {
     return residuals.evaluate(solver.at(change), kNarrow, 1, nullptr);
   };
+  const double left = robust(best.change) / residuals.contour_length();
+  const double contradiction = left * left / (left * left + kContradicted * kContradicted);
+  PoseFreedom loose = freedom;
+  PosePrior prior = solver.prior();
+  if (const double share = kFirstShare * contradiction;
+      !document.calibration.free_first_frame && share > kLeastFirstShare) {
+    std::vector<std::string> said_already;
+    loose = freedom_of(document, true, said_already);
+    // Where it stands and which way it faces stay: nothing else says which side is the front, and
+    // a body would tip away to explain what differs in size.
+    loose.frame[0] = loose.joint[0][0] = 0;
+    prior.first = share;
+  }
+  PoseSolver fine(document, residuals, loose, prior, run);
   PoseEnergy measured = kNarrowKernel;
   for (int i = 0; i < kRefinements; ++i) {
     const double mean = robust(best.change) / residuals.contour_length();
-    measured.noise = std::max(kNoisePerMean * mean, kLeastNoise);
-    best = solver.minimise(std::move(best.change), measured, kIterations);
+    measured.noise = std::max(kNoisePerMean * (1 + contradiction) * mean, kLeastNoise);
+    best = fine.minimise(std::move(best.change), measured, kIterations);
   }
-  best =
-      unneeded_held(document, residuals, freedom, solver.prior(), measured, std::move(best), run);
+  best = unneeded_held(document, residuals, loose, prior, measured, std::move(best), run);
   if (run.cancelled()) return cancelled();
   result.energy_before = robust(user);
   result.energy_after = robust(best.change);
-  result.iterations = solver.iterations();
+  result.iterations = solver.iterations() + fine.iterations();
   result.poses = solver.poses(best.change);
   result.scales = solver.scales(best.change);
   return result;

@@ -64,11 +64,13 @@ Pose changed(const Pose& pose, const FrameChange& change) {
 
 double prior_energy(const PoseChange& change, const PosePrior& prior) {
   double turns = 0, shifts = 0, depths = 0, scales = 0;
-  for (const FrameChange& frame : change) {
-    for (const Vec3& turn : frame.rotation) turns += turn.squaredNorm();
-    shifts += frame.translation.head<2>().squaredNorm();
-    depths += frame.translation.z() * frame.translation.z();
-    scales += frame.log_scale * frame.log_scale;
+  for (std::size_t f = 0; f < change.size(); ++f) {
+    const FrameChange& frame = change[f];
+    const double share = prior.share(int(f)), per = 1 / (share * share);
+    for (const Vec3& turn : frame.rotation) turns += per * turn.squaredNorm();
+    shifts += per * frame.translation.head<2>().squaredNorm();
+    depths += per * frame.translation.z() * frame.translation.z();
+    scales += per * frame.log_scale * frame.log_scale;
   }
   return turns / (prior.rotation * prior.rotation) +
          shifts / (prior.translation * prior.translation) + depths / (prior.depth * prior.depth) +
@@ -196,11 +198,13 @@ PoseChange PoseSystem::stepped(const PoseChange& change, const PosePrior& prior,
     for (int m = 0; m < moving; ++m) {
       const int at = node.width * m;
       const FrameChange& frame = change[moving_[m]];
-      for (int i = 0; i < 3; ++i) pull(at + i, frame.rotation[node.joint][i], prior.rotation);
+      const double share = prior.share(moving_[m]);
+      for (int i = 0; i < 3; ++i)
+        pull(at + i, frame.rotation[node.joint][i], share * prior.rotation);
       if (node.joint != 0) continue;
       for (int i = 0; i < 3; ++i)
-        pull(at + 3 + i, frame.translation[i], i < 2 ? prior.translation : prior.depth);
-      pull(at + 6, frame.log_scale, prior.log_scale);
+        pull(at + 3 + i, frame.translation[i], share * (i < 2 ? prior.translation : prior.depth));
+      pull(at + 6, frame.log_scale, share * prior.log_scale);
     }
     A[k][0].diagonal() *= 1 + damping;
     hold_at_limits(node, change, x[k], A[k][0]);

@@ -48,6 +48,8 @@ struct PosePrior {
   double translation = 1;        // units, of the root, across the real camera's axis
   double depth = 1;              // units, of the root, along it
   double log_scale = 0.1;
+  double first = 1;  // the share of these widths that the first frame gets, > 0
+  double share(int frame) const { return frame == 0 ? first : 1; }
 };
 
 // Which unknowns there are.

@@ -297,15 +297,41 @@ TEST(CalibrateRays, LimitsHoldExactly) {
   EXPECT_TRUE(mentions(found.warnings, "max_rotation"));
 }
 
+double largest_turn(const Pose& a, const Pose& b) {
+  double most = 0;
+  for (std::size_t j = 0; j < a.rotations.size(); ++j)
+    most = std::max(most, a.rotations[j].angularDistance(b.rotations[j]));
+  return most;
+}
+
 TEST(CalibrateRays, TheFirstFrameStaysUnlessFree) {
   Sketches s = sketched(human(1), 3, Camera::Type::orthographic, 8);
-  // The first frame off, the others true.
+  EXPECT_TRUE(same_pose(calibrated(s.given).poses[0], s.given.frames[0].pose));
+  // The first frame off, the others true: where it stands and faces is held.
   Document d = s.truth;
   d.frames[0].pose.root_position += Vec3(0, 0.05, 0);
-  EXPECT_TRUE(same_pose(calibrated(d).poses[0], d.frames[0].pose));
+  const Pose held = calibrated(d).poses[0];
+  EXPECT_EQ(held.root_position, d.frames[0].pose.root_position);
+  EXPECT_EQ(held.rotations[0].coeffs(), d.frames[0].pose.rotations[0].coeffs());
   d.calibration.free_first_frame = true;
   const Calibration found = calibrated(d);
   EXPECT_LT(found.poses[0].root_position.y(), d.frames[0].pose.root_position.y() - 0.02);
+}
+
+// Whoever draws a figure otherwise each time didn't set its first pose to the degree either.
+TEST(CalibrateRays, TheFirstFrameMovesTooWhereDrawingsContradictEachOther) {
+  const Figure figure = human(2);
+  const Camera camera = fitting_camera(figure, Camera::Type::orthographic, kWidth, kHeight);
+  const auto turn = [&](double part_size) {
+    const Document d = draw(figure, random_views(figure, 3, 2), camera, kWidth, kHeight,
+                            {.pose_error_degrees = 10, .part_size = part_size}, 2)
+                           .given;
+    return largest_turn(calibrated(d).poses[0], d.frames[0].pose);
+  };
+  const double agreeing = turn(0), contradicting = turn(0.15);
+  EXPECT_LT(agreeing, radians(0.1));
+  EXPECT_GT(contradicting, radians(0.4));
+  EXPECT_LT(contradicting, radians(20));
 }
 
 TEST(CalibrateRays, OneFrameHasNothingToCalibrate) {

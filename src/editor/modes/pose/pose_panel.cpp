@@ -232,7 +232,7 @@ void pose_panel(App& app, Rect place) {
   const float used = write_lines(
       place.inset(16, 0), Font::caption, t.muted,
       first ? "Drag the joints until they match the drawing. The first drawing is the reference: "
-              "calibration keeps its pose."
+              "calibration keeps its pose, unless the drawings contradict each other."
             : "Drag the joints until they roughly match the drawing. Calibrate does the last bit.",
       18);
   place.cut_top(used + 16);
