@@ -6,16 +6,16 @@
 namespace artisketch {
 namespace {
 
-constexpr int kBins = 24;           // of a histogram's channel
-constexpr double kLeast = 0.04;     // of a part's pixels, for a tone
-constexpr int kMostTones = 8;       // of a part
-constexpr float kFlat = 0.035f;     // how far a tone's pixels are from it
-constexpr float kLightest = 0.94f;  // times the lit tone: no shade is lighter,
-constexpr float kDarkest = 0.45f;   // none darker,
-constexpr float kTinted = 0.16f;    // and none differs more from channel to channel
-constexpr float kSame = 0.04f;      // between factors of one kind of shade
-constexpr float kOwn = 0.06f;       // how far from the way between its tones a pixel may be
-constexpr float kLit = 0.2f;        // of the shade's pixels: less is a highlight
+constexpr int kBins = 24;             // of a histogram's channel
+constexpr double kLeast = 0.04;       // of a part's pixels, for a tone
+constexpr int kMostTones = 8;         // of a part
+constexpr float kToneWidth = 0.035f;  // how far a tone's pixels are from it
+constexpr float kLightest = 0.94f;    // times the lit tone: no shade is lighter,
+constexpr float kDarkest = 0.45f;     // none darker,
+constexpr float kTinted = 0.16f;      // and none differs more from channel to channel
+constexpr float kSame = 0.04f;        // between factors of one kind of shade
+constexpr float kOwn = 0.06f;         // how far from the way between its tones a pixel may be
+constexpr float kLit = 0.2f;          // of the shade's pixels: less is a highlight
 // Drawings in flat colours have them on nine pixels of ten, and one kind of shade; painted and
 // rendered ones on hardly more than three of four, and tones at all distances.
 constexpr double kFlatShare = 0.85, kOneKind = 0.67;
@@ -95,7 +95,7 @@ class ToneOf {
     if (part != part_ || pixel != pixel_) {
       part_ = part;
       pixel_ = pixel;
-      tone_ = parts_[part].nearest(rgb_of(pixel), kFlat);
+      tone_ = parts_[part].nearest(rgb_of(pixel), kToneWidth);
     }
     return tone_;
   }
