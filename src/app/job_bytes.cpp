@@ -30,6 +30,7 @@ class Reader {
   explicit Reader(std::string_view bytes) : left_(bytes) {}
   bool good() const { return good_; }
   bool done() const { return good_ && left_.empty(); }
+  void refuse() { good_ = false; }
   void raw(void* to, std::size_t size) {
     if (size > left_.size()) good_ = false;
     if (!good_ || size == 0) return;
@@ -53,7 +54,18 @@ class Reader {
 template <class T, class U>
 concept Is = std::same_as<std::remove_const_t<T>, U>;
 template <class T>
-concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+concept Plain = (std::is_arithmetic_v<T> && !Is<T, bool>) || std::is_enum_v<T>;
+
+// Not raw: a byte that is neither 0 nor 1 is no bool, and what it then does is undefined.
+template <class Archive, Is<bool> T>
+void field(Archive& a, T& value) {
+  std::uint8_t byte = value;
+  a.raw(&byte, 1);
+  if constexpr (Archive::kReads) {
+    if (byte > 1) a.refuse();
+    value = byte == 1;
+  }
+}
 
 template <class Archive, Plain T>
 void field(Archive& a, T& value) {

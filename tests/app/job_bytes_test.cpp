@@ -1,5 +1,7 @@
 #include "app/job_bytes.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "model/part_inputs.h"
@@ -122,6 +124,20 @@ TEST(JobBytes, ErrorKeepsItsKindAndFaults) {
     EXPECT_EQ(back.error().kind, error.kind);
     EXPECT_EQ(back.error().faults, error.faults);
   }
+}
+
+TEST(JobBytes, AByteThatIsNoTruthIsRefused) {
+  JobRequest request;
+  request.options.calibrate = false;
+  std::string bytes = job_bytes(request);
+  request.options.calibrate = true;
+  const std::string other = job_bytes(request);
+  ASSERT_EQ(bytes.size(), other.size());
+  const std::size_t at =
+      std::size_t(std::mismatch(bytes.begin(), bytes.end(), other.begin()).first - bytes.begin());
+  ASSERT_LT(at, bytes.size());
+  bytes[at] = char(245);
+  EXPECT_FALSE(read_job_request(bytes));
 }
 
 TEST(JobBytes, WhatIsCutShortOrTooLongIsRefused) {
