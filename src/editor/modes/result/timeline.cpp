@@ -136,11 +136,13 @@ void keys_row(App& app, int c, const Rect& band, const Ruler& ruler) {
   }
 }
 
-void clip_menu(App& app, int c) {
+// Whether the clip is gone.
+bool clip_menu(App& app, int c) {
   Menu menu;
-  if (!menu || !menu.line("Remove clip")) return;
+  if (!menu || !menu.line("Remove clip")) return false;
   const std::string name = app.document().animations[std::size_t(c - 1)].name;
   app.session.commit("Remove " + name, without_clip(app.document(), c - 1));
+  return true;
 }
 
 void clip_row(App& app, int c, const Rect& row, const Ruler& ruler) {
@@ -155,7 +157,7 @@ void clip_row(App& app, int c, const Rect& row, const Ruler& ruler) {
     app.session.playback.key = -1;
     app.session.playback.posed.reset();
   }
-  if (c > 0) clip_menu(app, c);
+  if (c > 0 && clip_menu(app, c)) return;
   Rect names = {row.x + 16, row.y, kNames - 20, row.h};
   if (c == 0 && row.h > 40) {
     names.y += names.h / 2 - 18;
