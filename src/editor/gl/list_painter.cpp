@@ -26,14 +26,20 @@ void main() {
 })";
 
 // Seen from near, from twice its size on, a picture shows its pixels as squares with soft edges:
-// what is outlined is the pixel, not a blur of it. Smaller ones are filtered as usual.
+// what is outlined is the pixel, not a blur of it. Smaller ones are filtered as usual. Letters and
+// shapes, most of what is painted, go without: they would be slower where no graphics card is.
 constexpr const char* kFragment = R"(#version 300 es
 precision highp float;
 uniform sampler2D picture;
+uniform bool squares;
 in vec2 at;
 in vec4 tint;
 out vec4 result;
 void main() {
+  if (!squares) {
+    result = tint * texture(picture, at);
+    return;
+  }
   vec2 size = vec2(textureSize(picture, 0));
   vec2 texel = at * size;
   vec2 edge = floor(texel + 0.5);
@@ -58,7 +64,8 @@ ListPainter::ListPainter(ListPainter&& other) noexcept
       vertices_(std::exchange(other.vertices_, 0)),
       indices_(std::exchange(other.indices_, 0)),
       fonts_(std::exchange(other.fonts_, 0)),
-      projection_(other.projection_) {}
+      projection_(other.projection_),
+      squares_(other.squares_) {}
 
 ListPainter::~ListPainter() {
   release();
@@ -75,6 +82,7 @@ void ListPainter::release() {
 void ListPainter::make() {
   program_ = linked(kVertex, kFragment);
   projection_ = glGetUniformLocation(program_, "projection");
+  squares_ = glGetUniformLocation(program_, "squares");
   glGenVertexArrays(1, &array_);
   glGenBuffers(1, &vertices_);
   glGenBuffers(1, &indices_);
@@ -154,7 +162,9 @@ void ListPainter::paint(const ImDrawData& data, int pixels_wide, int pixels_high
       const float bottom = (command.ClipRect.w - from.y) * scale.y;
       if (right <= left || bottom <= top) continue;
       glScissor(int(left), int(float(pixels_high) - bottom), int(right - left), int(bottom - top));
-      glBindTexture(GL_TEXTURE_2D, GLuint(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+      const GLuint texture = GLuint(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
+      glUniform1i(squares_, texture != fonts_);
+      glBindTexture(GL_TEXTURE_2D, texture);
       glDrawElements(
           GL_TRIANGLES, GLsizei(command.ElemCount), GL_UNSIGNED_INT,
           reinterpret_cast<const void*>(std::uintptr_t(command.IdxOffset) * sizeof(ImDrawIdx)));

@@ -27,7 +27,7 @@ class ListPainter {
   void make();
   void begin(const ImDrawData& data, int pixels_wide, int pixels_high) const;
   unsigned program_ = 0, array_ = 0, vertices_ = 0, indices_ = 0, fonts_ = 0;
-  int projection_ = 0;  // uniform
+  int projection_ = 0, squares_ = 0;  // uniforms
 };
 
 }  // namespace artisketch
