@@ -44,7 +44,7 @@ struct PartCoverage {
 };
 
 struct Calibration {
-  std::vector<Pose> poses;     // one per frame; the first is the user's unless free_first_frame
+  std::vector<Pose> poses;  // one per frame; the first root is the user's unless free_first_frame
   std::vector<double> scales;  // one per frame: the frame's scale (orthographic), else as it was
   double energy_before = 0, energy_after = 0;  // pixels², the method's own energy
   int iterations = 0;
