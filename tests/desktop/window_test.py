@@ -109,7 +109,9 @@ def recovers_what_was_lost():
     window.click("Reset tool")
     window.wait(lambda: window.state()["canUndo"], why="the edit")
     kept = pathlib.Path(window.home, "artisketch")
-    window.wait(lambda: list(kept.glob("autosave-*")), why="the copy that is kept")
+    # Beside its lock, which is there from the start.
+    window.wait(lambda: [f for f in kept.glob("autosave-*") if f.name[9:].isdigit()],
+                why="the copy that is kept")
     window.editor.kill()
     window.editor.wait()
     window.close()
