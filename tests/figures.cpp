@@ -153,16 +153,6 @@ double radius_about_root(const Figure& figure) {
 
 }  // namespace
 
-Quat about_x(double angle) {
-  return Quat(Eigen::AngleAxisd(radians(angle), Vec3::UnitX()));
-}
-Quat about_y(double angle) {
-  return Quat(Eigen::AngleAxisd(radians(angle), Vec3::UnitY()));
-}
-Quat about_z(double angle) {
-  return Quat(Eigen::AngleAxisd(radians(angle), Vec3::UnitZ()));
-}
-
 View view(const Figure& figure, std::string name, const Quat& side, const Turns& turns,
           const Vec3& root_position) {
   Pose pose = rest_pose(figure.skeleton);

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/rotation.h"
 #include "document/document.h"
 #include "figures/solid.h"
 
@@ -47,9 +48,9 @@ Figure robot(std::uint64_t seed = 0);  // boxes and tubes, its left unlike its r
 
 // ---------------------------------------------------------------- poses and views
 
-Quat about_x(double degrees);
-Quat about_y(double degrees);
-Quat about_z(double degrees);
+using artisketch::about_x;
+using artisketch::about_y;
+using artisketch::about_z;
 
 using Turns = std::vector<std::pair<std::string, Quat>>;  // joint name → local rotation
 

@@ -19,4 +19,15 @@ inline Quat least_turn(const Vec3& from, const Vec3& to) {
   return turn.normalized();
 }
 
+// About one of the world's axes, by degrees.
+inline Quat about_x(double angle) {
+  return Quat(Eigen::AngleAxisd(radians(angle), Vec3::UnitX()));
+}
+inline Quat about_y(double angle) {
+  return Quat(Eigen::AngleAxisd(radians(angle), Vec3::UnitY()));
+}
+inline Quat about_z(double angle) {
+  return Quat(Eigen::AngleAxisd(radians(angle), Vec3::UnitZ()));
+}
+
 }  // namespace artisketch

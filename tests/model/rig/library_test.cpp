@@ -1,5 +1,8 @@
 #include "model/rig/library.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "document/templates.h"
@@ -89,6 +92,44 @@ TEST(Library, AWalkersFootKeepsTheGroundsPaceWhileItStands) {
     const auto [least, most] = std::minmax_element(ways.begin(), ways.end());
     EXPECT_GT(*least, 0);
     EXPECT_LT(*most - *least, 0.01 * rest_positions(skeleton)[0].y());
+  }
+}
+
+// Degrees from straight.
+double knee_bend(const LimbJoints& leg, const std::vector<Vec3>& at) {
+  const Vec3 thigh = at[leg.lower] - at[leg.upper], shin = at[leg.end] - at[leg.lower];
+  return degrees(std::acos(std::clamp(thigh.normalized().dot(shin.normalized()), -1.0, 1.0)));
+}
+
+TEST(Library, AWalkerRisesOverANearlyStraightLegAndBendsTheOther) {
+  // Also where feet are as long as half a leg.
+  for (const double feet : {1.0, 2.0}) {
+    Skeleton skeleton = template_skeleton(Template::human);
+    const BodyPlan plan = body_plan_of(skeleton, rest_positions(skeleton), false);
+    for (const LimbJoints& leg : plan.legs) skeleton.joints[leg.tip].offset.z() *= feet;
+    const std::vector<Vec3> rest = rest_positions(skeleton);
+    const double tall = rest[plan.hips].y() - rest[plan.legs[0].end].y();
+    const Result<Clip> clip = library_clip(skeleton, "walk", {});
+    ASSERT_TRUE(clip);
+    double straightest = 180, swung = 0, strike = 0, lowest = 1e9, highest = 0;
+    for (std::size_t k = 0; k < clip->poses.size(); ++k) {
+      const std::vector<Vec3> at = places(skeleton, clip->poses[k]);
+      const double bend = knee_bend(plan.legs[0], at);
+      if (k == 0) strike = bend;  // the left heel meets the ground
+      if (clip->times[k] < 0.4 * clip->times.back())
+        straightest = std::min(straightest, bend);
+      else
+        swung = std::max(swung, bend);
+      lowest = std::min(lowest, at[plan.hips].y());
+      highest = std::max(highest, at[plan.hips].y());
+    }
+    EXPECT_LT(straightest, 20);
+    EXPECT_LT(strike, 30);
+    EXPECT_GT(swung, 50);
+    EXPECT_LT(swung, 95);
+    EXPECT_GT(lowest, rest[plan.hips].y() - 0.08 * tall);
+    EXPECT_LT(highest, rest[plan.hips].y() + 0.04 * tall);
+    EXPECT_GT(highest - lowest, 0.015 * tall);
   }
 }
 
