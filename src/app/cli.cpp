@@ -16,7 +16,6 @@
 #include "app/command_words.h"
 #include "app/job.h"
 #include "app/progress_line.h"
-#include "files/bvh_file.h"
 #include "files/bytes.h"
 #include "files/document_check.h"
 #include "files/document_file.h"
@@ -24,6 +23,7 @@
 #include "files/image_file.h"
 #include "files/inside_images.h"
 #include "files/mesh_file.h"
+#include "files/motion_file.h"
 #include "files/preview.h"
 #include "files/report_file.h"
 #include "files/sprites.h"
@@ -310,6 +310,26 @@ Result<std::vector<Clip>> clips_wanted(const std::vector<std::string>& words,
   return clips;
 }
 
+// Every motion in a file as a clip for the document; what is odd about them is said, once.
+Result<std::vector<MovedBy>> moved_by(const std::string& file, const Document& document,
+                                      const RetargetOptions& options) {
+  Result<std::vector<Motion>> motions = read_motions(file);
+  if (!motions) return motions.error();
+  std::vector<MovedBy> all;
+  std::vector<std::string> warnings;
+  for (Motion& motion : *motions) {
+    Result<Retargeted> made = retargeted(document, motion, options);
+    if (!made) return bad_input(file + ": " + made.error().text());
+    for (const std::string& warning : made->warnings)
+      if (const std::string words = file + ": " + warning;
+          std::find(warnings.begin(), warnings.end(), words) == warnings.end())
+        warnings.push_back(words);
+    all.push_back({std::move(motion), std::move(*made)});
+  }
+  print_warnings(warnings);
+  return all;
+}
+
 int reconstruct_verb(Arguments& a) {
   const std::string ending = model_ending(a.out);
   if (ending.empty())
@@ -331,20 +351,13 @@ int reconstruct_verb(Arguments& a) {
   std::vector<std::string> inputs = files_of(*document, a.in);
   inputs.push_back(a.motion);
   if (const auto words = overwritten(targets, inputs)) return bad_command_line(*words);
-  std::optional<Motion> motion;
-  std::optional<Retargeted> moved;
-  if (!a.motion.empty() && ending != ".glb") {
+  Result<std::vector<MovedBy>> moved = std::vector<MovedBy>();
+  if (!a.motion.empty() && ending != ".glb")
     print_warnings({"--motion " + a.motion + ": is left out, since " + ending +
                     " holds the surface alone; name a .glb to have it"});
-  } else if (!a.motion.empty()) {
-    Result<Motion> read = read_bvh(a.motion);
-    if (!read) return fail(read.error());
-    motion = std::move(*read);
-    Result<Retargeted> made = retargeted(*document, *motion, a.retarget);
-    if (!made) return fail(bad_input(a.motion + ": " + made.error().text()));
-    moved = std::move(*made);
-    for (const std::string& warning : moved->warnings) print_warnings({a.motion + ": " + warning});
-  }
+  else if (!a.motion.empty())
+    moved = moved_by(a.motion, *document, a.retarget);
+  if (!moved) return fail(moved.error());
   Result<std::vector<Clip>> library = clips_wanted(a.clips, document->skeleton);
   if (!library) return bad_command_line(library.error().text());
   PipelineOptions options = options_of(a, *document);
@@ -364,8 +377,10 @@ int reconstruct_verb(Arguments& a) {
   if (const int status = write_trace(a.trace, trace)) return status;
   if (!result) return fail(said_of(a.in, result.error()));
   print_warnings(result->warnings);
-  if (moved) library->insert(library->begin(), moved->clip);
-  result->model.clips.insert(result->model.clips.begin() + 1, library->begin(), library->end());
+  std::vector<Clip>& clips = result->model.clips;
+  clips.insert(clips.begin() + 1, library->begin(), library->end());
+  for (std::size_t i = 0; i < moved->size(); ++i)
+    clips.insert(clips.begin() + 1 + std::ptrdiff_t(i), (*moved)[i].result.clip);
 
   std::optional<Model> rigged;
   if (!a.rig.empty()) {
@@ -379,16 +394,16 @@ int reconstruct_verb(Arguments& a) {
   const std::size_t size = model->size();
   if (!a.calibrated.empty())
     outputs.push_back({a.calibrated, text_beside(result->calibrated, a.in, a.calibrated)});
-  if (!a.report.empty())
-    outputs.push_back({a.report, report_text(*document, *result, motion ? &*motion : nullptr,
-                                             moved ? &*moved : nullptr)});
+  if (!a.report.empty()) outputs.push_back({a.report, report_text(*document, *result, *moved)});
   if (!a.preview.empty())
     outputs.push_back({a.preview, png_bytes(contact_sheet(*document, drawings, *result))});
   outputs.push_back({a.out, std::move(*model)});
   if (stop_asked) return fail(cancelled());
   if (const int status = write_all(outputs)) return status;
   if (!a.quiet) print_summary(a.out, size, *document, *result);
-  if (!a.quiet && moved) std::printf("%s\n", mapping_words(*document, *motion, *moved).c_str());
+  if (!a.quiet)
+    for (const MovedBy& one : *moved)
+      std::printf("%s\n", mapping_words(*document, one.motion, one.result).c_str());
   return kDone;
 }
 
@@ -544,7 +559,8 @@ int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
           },
           "auto or INT in [100 - 10000000]", "triangles"));
   make.add_flag("--no-calibrate", a.no_calibrate, "trust the document's poses");
-  make.add_option("--motion", a.motion, "a recorded motion to add as a clip (.bvh)");
+  make.add_option("--motion", a.motion,
+                  "recorded motions to add as clips (.bvh; .glb, .vrm: its animations)");
   make.add_option("--clip", a.clips,
                   "a clip of the library, like walk or walk:stride=1.2,bounce=0.5; again for more");
   std::vector<std::string> rigs;

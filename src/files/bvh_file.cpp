@@ -2,11 +2,9 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <set>
 
 #include "base/words.h"
-#include "files/bytes.h"
 #include "files/json.h"
 
 namespace artisketch {
@@ -314,12 +312,6 @@ Result<Motion> parse_bvh(std::string_view text, const std::string& name, const s
 
 bool is_bvh(std::string_view bytes) {
   return lower(Words(bytes).peek()) == "hierarchy";
-}
-
-Result<Motion> read_bvh(const std::string& path) {
-  const Result<std::string> text = read_file(path);
-  if (!text) return bad_input(text.error().text());
-  return parse_bvh(*text, std::filesystem::path(path).stem().string(), path);
 }
 
 }  // namespace artisketch

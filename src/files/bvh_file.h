@@ -23,6 +23,4 @@ Result<Motion> parse_bvh(std::string_view text, const std::string& name, const s
 
 bool is_bvh(std::string_view bytes);  // by how it begins
 
-Result<Motion> read_bvh(const std::string& path);  // named after the file
-
 }  // namespace artisketch

@@ -1,11 +1,8 @@
 #include <algorithm>
-#include <cstring>
-#include <optional>
 
 #include "files/gltf.h"
+#include "files/gltf_data.h"
 #include "files/image_file.h"
-#include "files/json.h"
-#include "files/tinygltf_setup.h"
 
 namespace artisketch {
 namespace {
@@ -13,148 +10,22 @@ namespace {
 // Keys times joints of one clip: a small file can name the same keys for many joints.
 constexpr std::size_t kMostRotations = 10'000'000;
 
-// Why a file is refused. Thrown and caught in this file alone: the checks are many and deep.
-struct Refused {
-  std::string why;
-};
-
-void require(bool holds, const std::string& otherwise) {
-  if (!holds) throw Refused{otherwise};
-}
-
-std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return value;
-}
-
-// tinygltf trusts its input in places: it recurses into nested values, and takes the address of an
-// image's bytes before looking whether they are there. What would trip it is refused here.
-void check_container(std::string_view bytes) {
-  require(bytes.size() >= 20 && bytes.substr(0, 4) == "glTF", "is no binary glTF");
-  require(little_endian(bytes, 4) == 2, "is not glTF version 2");
-  require(little_endian(bytes, 8) == bytes.size(), "is cut off, or longer than it says");
-  const std::size_t json_size = little_endian(bytes, 12);
-  require(json_size <= bytes.size() - 20 && bytes.substr(16, 4) == "JSON", "has no JSON chunk");
-  std::size_t bin_size = 0;
-  if (const std::size_t at = 20 + json_size; bytes.size() >= at + 8)
-    bin_size = std::min<std::size_t>(little_endian(bytes, at), bytes.size() - at - 8);
-
-  Faults faults("its JSON");
-  const std::optional<Json> json = parse_json(bytes.substr(20, json_size), faults);
-  if (!faults.none()) throw Refused{"is damaged: " + faults.error().faults.front()};
-  require(json->is_object(), "has a JSON chunk that is no object");
-  if (const auto buffers = json->find("buffers"); buffers != json->end())
-    require(buffers->is_array() && buffers->size() == 1 && (*buffers)[0].is_object() &&
-                !(*buffers)[0].contains("uri"),
-            "does not hold all its data");
-  if (const auto views = json->find("bufferViews"); views != json->end())
-    for (const Json& view : *views) {
-      require(view.is_object(), "has a damaged buffer view");
-      const auto number = [&](const char* field) {
-        const auto found = view.find(field);
-        if (found == view.end()) return std::size_t(0);
-        require(found->is_number_unsigned(), "has a damaged buffer view");
-        return found->get<std::size_t>();
-      };
-      const std::size_t offset = number("byteOffset"), length = number("byteLength");
-      require(offset < bin_size && length <= bin_size - offset && number("buffer") == 0,
-              "has a buffer view outside its data");
-    }
-}
-
-// Images stay encoded until they are asked for.
-bool leave_image(tinygltf::Image*, const int, std::string*, std::string*, int, int,
-                 const unsigned char*, int, void*) {
-  return true;
-}
-
-tinygltf::Model parse(std::string_view bytes) {
-  check_container(bytes);
-  tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(leave_image, nullptr);
-  loader.SetFsCallbacks({});
-  tinygltf::Model gltf;
-  std::string error, warning;
-  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
-  if (!loader.LoadBinaryFromMemory(&gltf, &error, &warning, data, unsigned(bytes.size()))) {
-    std::replace(error.begin(), error.end(), '\n', ' ');
-    throw Refused{"is damaged: " + error};
-  }
-  return gltf;
-}
-
-template <class List>
-const auto& at(const List& list, int index, const char* what) {
-  require(index >= 0 && std::size_t(index) < list.size(),
-          std::string("names a ") + what + " that is not there");
-  return list[std::size_t(index)];
-}
-
 class Reader {
  public:
-  explicit Reader(std::string_view bytes) : gltf_(parse(bytes)) {}
+  explicit Reader(std::string_view bytes) : data_(bytes), gltf_(data_.gltf()) {}
   Model read(const std::string& name);
 
  private:
-  std::string_view view_bytes(int view) const;
-  // The accessor's elements, one row each, whatever the component type; floats are finite.
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(int accessor,
-                                                                              int type) const;
   void skeleton(const tinygltf::Skin& skin);
   void mesh(const tinygltf::Primitive& primitive);
   void texture(int material, const std::string& name);
   void clip(const tinygltf::Animation& animation);
 
-  const tinygltf::Model gltf_;
+  const GltfData data_;
+  const tinygltf::Model& gltf_;
   std::vector<int> joint_of_;  // by node; −1: none
   Model model_;
 };
-
-std::string_view Reader::view_bytes(int index) const {
-  const tinygltf::BufferView& view = at(gltf_.bufferViews, index, "buffer view");
-  const std::vector<unsigned char>& data = at(gltf_.buffers, view.buffer, "buffer").data;
-  require(view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset,
-          "has a buffer view outside its data");
-  return {reinterpret_cast<const char*>(data.data()) + view.byteOffset, view.byteLength};
-}
-
-Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Reader::rows(
-    int index, int type) const {
-  const tinygltf::Accessor& accessor = at(gltf_.accessors, index, "accessor");
-  const int component = accessor.componentType;
-  const bool known = component == TINYGLTF_COMPONENT_TYPE_FLOAT ||
-                     component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-                     component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-                     component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-  require(accessor.type == type && known && !accessor.sparse.isSparse && !accessor.normalized &&
-              accessor.count > 0,
-          "has an accessor of a kind that ArtiSketch does not write");
-  const std::string_view bytes = view_bytes(accessor.bufferView);
-  const std::size_t part = std::size_t(tinygltf::GetComponentSizeInBytes(unsigned(component)));
-  const std::size_t width = std::size_t(tinygltf::GetNumComponentsInType(unsigned(type)));
-  const std::size_t given = gltf_.bufferViews[std::size_t(accessor.bufferView)].byteStride;
-  const std::size_t stride = given ? given : part * width;
-  require(stride >= part * width && accessor.byteOffset <= bytes.size() &&
-              bytes.size() - accessor.byteOffset >= part * width &&
-              (bytes.size() - accessor.byteOffset - part * width) / stride >= accessor.count - 1,
-          "has an accessor outside its data");
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> values(
-      Eigen::Index(accessor.count), Eigen::Index(width));
-  for (std::size_t i = 0; i < accessor.count; ++i)
-    for (std::size_t c = 0; c < width; ++c) {
-      const char* from = bytes.data() + accessor.byteOffset + i * stride + c * part;
-      float real = 0;
-      std::uint32_t whole = 0;
-      if (component == TINYGLTF_COMPONENT_TYPE_FLOAT)
-        std::memcpy(&real, from, part);
-      else
-        std::memcpy(&whole, from, part);  // glTF and we are little-endian
-      require(std::isfinite(real), "has a number that is not finite");
-      values(Eigen::Index(i), Eigen::Index(c)) = double(real) + double(whole);
-    }
-  return values;
-}
 
 void Reader::skeleton(const tinygltf::Skin& skin) {
   std::vector<Joint>& joints = model_.skeleton.joints;
@@ -191,11 +62,11 @@ void Reader::mesh(const tinygltf::Primitive& primitive) {
   const auto attribute = [&](const char* name, int type) {
     const auto found = primitive.attributes.find(name);
     require(found != primitive.attributes.end(), std::string("has a mesh without ") + name);
-    return rows(found->second, type);
+    return data_.rows(found->second, type);
   };
   model_.mesh.V = attribute("POSITION", TINYGLTF_TYPE_VEC3);
   const Eigen::Index vertices = model_.mesh.V.rows();
-  const auto indices = rows(primitive.indices, TINYGLTF_TYPE_SCALAR);
+  const auto indices = data_.rows(primitive.indices, TINYGLTF_TYPE_SCALAR);
   require(indices.rows() % 3 == 0 && indices.minCoeff() >= 0 && indices.maxCoeff() < vertices,
           "has triangles of vertices that are not there");
   model_.mesh.F = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>(
@@ -225,7 +96,7 @@ void Reader::texture(int index, const std::string& name) {
   if (base < 0) return;
   const int source = at(gltf_.textures, base, "texture").source;
   const tinygltf::Image& image = at(gltf_.images, source, "image");
-  Result<Image> picture = decode_image(view_bytes(image.bufferView), name + ": its texture");
+  Result<Image> picture = decode_image(data_.view_bytes(image.bufferView), name + ": its texture");
   if (!picture) throw Refused{"has a damaged texture: " + picture.error().text()};
   model_.texture = std::move(*picture);
 }
@@ -235,7 +106,7 @@ void Reader::clip(const tinygltf::Animation& animation) {
   clip.name = animation.name;
   require(!animation.channels.empty(), "has an animation without channels");
   const int input = at(animation.samplers, animation.channels[0].sampler, "sampler").input;
-  const auto times = rows(input, TINYGLTF_TYPE_SCALAR);
+  const auto times = data_.rows(input, TINYGLTF_TYPE_SCALAR);
   const std::size_t joints = model_.skeleton.joints.size();
   require(std::size_t(times.rows()) <= kMostRotations / joints,
           "has an animation with too many keys");
@@ -251,7 +122,8 @@ void Reader::clip(const tinygltf::Animation& animation) {
     require(joint >= 0 && sampler.input == input && sampler.interpolation == "LINEAR" &&
                 (rotation || (joint == 0 && channel.target_path == "translation")),
             "has an animation of a kind that ArtiSketch does not write");
-    const auto values = rows(sampler.output, rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3);
+    const auto values =
+        data_.rows(sampler.output, rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3);
     require(values.rows() == times.rows(), "has an animation whose keys do not match its times");
     for (Eigen::Index k = 0; k < values.rows(); ++k) {
       Pose& pose = clip.poses[std::size_t(k)];
@@ -284,17 +156,8 @@ Model Reader::read(const std::string& name) {
 }  // namespace
 
 Result<Model> read_glb(std::string_view bytes, const std::string& name) {
-  const auto refuse = [&](const std::string& why) {
-    return bad_input(name + ": " + why + "; give a .glb that ArtiSketch wrote");
-  };
-  if (bytes.size() > std::size_t(INT32_MAX)) return refuse("is larger than 2 GB");
-  try {
-    return Reader(bytes).read(name);
-  } catch (const Refused& refused) {
-    return refuse(refused.why);
-  } catch (const std::exception& error) {  // tinygltf and its JSON
-    return refuse(std::string("is damaged: ") + error.what());
-  }
+  return read_gltf(bytes, name, "; give a .glb that ArtiSketch wrote",
+                   [&] { return Reader(bytes).read(name); });
 }
 
 }  // namespace artisketch

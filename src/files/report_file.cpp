@@ -85,12 +85,16 @@ Json calibration_json(const Document& document, const Calibration& result) {
   return out;
 }
 
-Json motion_json(const Document& document, const Motion& motion, const Retargeted& moved) {
+// The motions of a file share their joints: what moves what is the same for all.
+Json motion_json(const Document& document, std::span<const MovedBy> all) {
+  if (all.empty()) return nullptr;
+  const Motion& motion = all[0].motion;
+  const Retargeted& moved = all[0].result;
   const auto theirs = [&](int joint) { return Json(motion.skeleton.joints[joint].name); };
-  Json out = {{"name", motion.name},
-              {"up", moved.z_up ? "z" : "y"},
-              {"scale", number(moved.scale)},
-              {"loops", moved.loops}};
+  Json out = {{"up", moved.z_up ? "z" : "y"}, {"scale", number(moved.scale)}};
+  Json& clips = out["clips"] = Json::array();
+  for (const MovedBy& one : all)
+    clips.push_back({{"name", one.motion.name}, {"loops", one.result.loops}});
   Json& joints = out["joints"] = Json::array();
   for (const JointMatch& match : moved.map.matches)
     joints.push_back({{"joint", joint_name(document, match.joint)},
@@ -110,14 +114,14 @@ Json head(const Document& document) {
 }  // namespace
 
 std::string report_text(const Document& document, const Reconstruction& result,
-                        const Motion* motion, const Retargeted* moved) {
+                        std::span<const MovedBy> moved) {
   Json report = head(document);
   report["stages"] = stages_json(result.stages);
   report["frames"] = frames_json(document, result.fits);
   report["unseen_sides"] = unseen_sides_json(document, result.calibrated);
   report["calibration"] =
       result.calibration ? calibration_json(document, *result.calibration) : Json(nullptr);
-  report["motion"] = motion && moved ? motion_json(document, *motion, *moved) : Json(nullptr);
+  report["motion"] = motion_json(document, moved);
   report["model"] = {{"vertices", result.model.mesh.V.rows()},
                      {"triangles", result.model.mesh.F.rows()},
                      {"joints", result.model.skeleton.size()}};

@@ -12,7 +12,7 @@
 //                  coverage[] {joint, frame, before, after} (share of a contour's rays that meet
 //                  the part's hull), undetermined[], warnings[];
 //                  null where poses were not calibrated
-//   motion         name, up (y, z), scale (units per unit of the motion), loops,
+//   motion         clips[] {name, loops}, up (y, z), scale (units per unit of the motion),
 //                  joints[] {joint, by (the motion's joint), how: given, named, guessed},
 //                  still[] (joints that nothing moves), unused[] (the motion's that move nothing),
 //                  warnings[]; null without --motion
@@ -23,6 +23,7 @@
 // Numbers that are not finite become null.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "model/rig/retarget.h"
@@ -30,9 +31,9 @@
 
 namespace artisketch {
 
-// Of a whole run. `document` is what went in; with a motion, what became of it.
+// Of a whole run. `document` is what went in; with a file of motions, what became of each.
 std::string report_text(const Document& document, const Reconstruction& result,
-                        const Motion* motion = nullptr, const Retargeted* moved = nullptr);
+                        std::span<const MovedBy> moved = {});
 
 // Of `artisketch calibrate`: one stage that took `seconds`.
 std::string report_text(const Document& document, const Calibration& result, double seconds);

@@ -15,7 +15,8 @@ void open_example(App& app, const std::string& name, bool greet);
 void new_document(App& app);
 // A drawing at the end of the strip, a GIF's all; a sheet of several asks how to cut it.
 void add_drawing(App& app, const NamedBytes& file);
-// A recorded motion (.bvh) as a clip of the document's, and played where there is a model.
+// Recorded motions (.bvh, or the animations of a .glb) as clips of the document's; the last is
+// played where there is a model.
 void add_motion(App& app, const NamedBytes& file);
 // A clip at the end of the document's, chosen and played.
 void add_clip(App& app, const std::string& undo_name, Animation animation);

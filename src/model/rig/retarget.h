@@ -38,6 +38,12 @@ struct Retargeted {
 Result<Retargeted> retargeted(const Document& document, const Motion& motion,
                               const RetargetOptions& options);
 
+// A motion and what became of it.
+struct MovedBy {
+  Motion motion;
+  Retargeted result;
+};
+
 // Two lines for the terminal: what moves what, and what was guessed and left.
 std::string mapping_words(const Document& document, const Motion& motion, const Retargeted& result);
 

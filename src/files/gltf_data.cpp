@@ -1,0 +1,139 @@
+#include "files/gltf_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "files/json.h"
+
+namespace artisketch {
+namespace {
+
+std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return value;
+}
+
+// tinygltf trusts its input in places: it recurses into nested values, and takes the address of an
+// image's bytes before looking whether they are there. What would trip it is refused here.
+void check_container(std::string_view bytes) {
+  require(bytes.size() >= 20 && bytes.substr(0, 4) == "glTF", "is no binary glTF");
+  require(little_endian(bytes, 4) == 2, "is not glTF version 2");
+  require(little_endian(bytes, 8) == bytes.size(), "is cut off, or longer than it says");
+  const std::size_t json_size = little_endian(bytes, 12);
+  require(json_size <= bytes.size() - 20 && bytes.substr(16, 4) == "JSON", "has no JSON chunk");
+  std::size_t bin_size = 0;
+  if (const std::size_t at = 20 + json_size; bytes.size() >= at + 8)
+    bin_size = std::min<std::size_t>(little_endian(bytes, at), bytes.size() - at - 8);
+
+  Faults faults("its JSON");
+  const std::optional<Json> json = parse_json(bytes.substr(20, json_size), faults);
+  if (!faults.none()) throw Refused{"is damaged: " + faults.error().faults.front()};
+  require(json->is_object(), "has a JSON chunk that is no object");
+  if (const auto buffers = json->find("buffers"); buffers != json->end())
+    require(buffers->is_array() && buffers->size() == 1 && (*buffers)[0].is_object() &&
+                !(*buffers)[0].contains("uri"),
+            "does not hold all its data");
+  if (const auto views = json->find("bufferViews"); views != json->end())
+    for (const Json& view : *views) {
+      require(view.is_object(), "has a damaged buffer view");
+      const auto number = [&](const char* field) {
+        const auto found = view.find(field);
+        if (found == view.end()) return std::size_t(0);
+        require(found->is_number_unsigned(), "has a damaged buffer view");
+        return found->get<std::size_t>();
+      };
+      const std::size_t offset = number("byteOffset"), length = number("byteLength");
+      require(offset < bin_size && length <= bin_size - offset && number("buffer") == 0,
+              "has a buffer view outside its data");
+    }
+}
+
+// Images stay encoded until they are asked for.
+bool leave_image(tinygltf::Image*, const int, std::string*, std::string*, int, int,
+                 const unsigned char*, int, void*) {
+  return true;
+}
+
+tinygltf::Model parse(std::string_view bytes) {
+  check_container(bytes);
+  tinygltf::TinyGLTF loader;
+  loader.SetImageLoader(leave_image, nullptr);
+  loader.SetFsCallbacks({});
+  tinygltf::Model gltf;
+  std::string error, warning;
+  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+  if (!loader.LoadBinaryFromMemory(&gltf, &error, &warning, data, unsigned(bytes.size()))) {
+    std::replace(error.begin(), error.end(), '\n', ' ');
+    throw Refused{"is damaged: " + error};
+  }
+  return gltf;
+}
+
+// One component, as the number that it stands for.
+double component_at(const char* from, int component, bool normalized) {
+  const auto as = [&](auto value, double most) {
+    std::memcpy(&value, from, sizeof value);  // glTF and we are little-endian
+    return normalized ? std::max(double(value) / most, -1.0) : double(value);
+  };
+  switch (component) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return as(std::int8_t(), 127);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return as(std::uint8_t(), 255);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return as(std::int16_t(), 32767);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return as(std::uint16_t(), 65535);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return as(std::uint32_t(), 1);
+    default:
+      return as(float(), 1);
+  }
+}
+
+}  // namespace
+
+GltfData::GltfData(std::string_view bytes) : gltf_(parse(bytes)) {}
+
+std::string_view GltfData::view_bytes(int index) const {
+  const tinygltf::BufferView& view = at(gltf_.bufferViews, index, "buffer view");
+  const std::vector<unsigned char>& data = at(gltf_.buffers, view.buffer, "buffer").data;
+  require(view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset,
+          "has a buffer view outside its data");
+  return {reinterpret_cast<const char*>(data.data()) + view.byteOffset, view.byteLength};
+}
+
+GltfRows GltfData::rows(int index, int type) const {
+  const tinygltf::Accessor& accessor = at(gltf_.accessors, index, "accessor");
+  const int component = accessor.componentType;
+  const bool known = component == TINYGLTF_COMPONENT_TYPE_FLOAT ||
+                     (component >= TINYGLTF_COMPONENT_TYPE_BYTE &&
+                      component <= TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) ||
+                     component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+  const bool whole = component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+  require(accessor.type == type && known && !accessor.sparse.isSparse &&
+              !(accessor.normalized && whole) && accessor.count > 0,
+          "has an accessor of a kind that ArtiSketch does not read");
+  const std::string_view bytes = view_bytes(accessor.bufferView);
+  const std::size_t part = std::size_t(tinygltf::GetComponentSizeInBytes(unsigned(component)));
+  const std::size_t width = std::size_t(tinygltf::GetNumComponentsInType(unsigned(type)));
+  const std::size_t given = gltf_.bufferViews[std::size_t(accessor.bufferView)].byteStride;
+  const std::size_t stride = given ? given : part * width;
+  require(stride >= part * width && accessor.byteOffset <= bytes.size() &&
+              bytes.size() - accessor.byteOffset >= part * width &&
+              (bytes.size() - accessor.byteOffset - part * width) / stride >= accessor.count - 1,
+          "has an accessor outside its data");
+  GltfRows values(Eigen::Index(accessor.count), Eigen::Index(width));
+  for (std::size_t i = 0; i < accessor.count; ++i)
+    for (std::size_t k = 0; k < width; ++k)
+      values(Eigen::Index(i), Eigen::Index(k)) =
+          component_at(bytes.data() + accessor.byteOffset + i * stride + k * part, component,
+                       accessor.normalized);
+  require(values.allFinite(), "has a number that is not finite");
+  return values;
+}
+
+}  // namespace artisketch
