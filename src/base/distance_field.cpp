@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/ensure.h"
 #include "base/within.h"
 
 namespace artisketch {
@@ -21,14 +22,24 @@ void to_lists(const std::vector<std::pair<int, int>>& bucket_item, int buckets,
   for (const auto& [bucket, item] : bucket_item) items[next[bucket]++] = item;
 }
 
+// Whether p is a place in a plane that is drawn on: NaN is none, nor is what would overflow when it
+// is squared. A polygon with a point that is none is left out; a query at none is infinitely far
+// outside.
+bool is_place(const Vec2& p) {
+  constexpr double kFarthest = 1e9;
+  return std::abs(p.x()) <= kFarthest && std::abs(p.y()) <= kFarthest;
+}
+
 }  // namespace
 
 PolygonDistance::PolygonDistance(std::span<const std::vector<Vec2>> polygons) {
-  for (const std::vector<Vec2>& polygon : polygons)
+  for (const std::vector<Vec2>& polygon : polygons) {
+    if (!std::all_of(polygon.begin(), polygon.end(), is_place)) continue;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       segments_.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
       box_.extend(polygon[i]);
     }
+  }
   if (segments_.empty()) return;
   const Vec2 size = box_.sizes().cwiseMax(1e-9);
   // About as many buckets as segments: a query near the line then looks at a handful of them.
@@ -61,7 +72,7 @@ PolygonDistance::PolygonDistance(std::span<const std::vector<Vec2>> polygons) {
 }
 
 bool PolygonDistance::inside(const Vec2& p) const {
-  if (segments_.empty() || !box_.contains(p)) return false;
+  if (segments_.empty() || !is_place(p) || !box_.contains(p)) return false;
   const int y = std::min(int((p.y() - box_.min().y()) / bucket_), ny_ - 1);
   bool odd = false;
   for (int i = row_start_[y]; i < row_start_[y + 1]; ++i) {
@@ -128,7 +139,7 @@ double PolygonDistance::distance(const Vec2& p, Vec2& gradient) const {
   Vec2 q = p;
   const double d = nearest(p, q);
   const double sign = inside(p) ? -1 : 1;
-  if (d > 1e-12) gradient = (p - q) * (sign / d);
+  if (d > 1e-12 && std::isfinite(d)) gradient = (p - q) * (sign / d);
   return sign * d;
 }
 
@@ -145,6 +156,8 @@ SampledDistance::SampledDistance(const PolygonDistance& exact, double per_pixel,
   if (exact.empty()) return;
   origin_ = exact.box().min() - Vec2::Constant(margin);
   const Vec2 size = exact.box().sizes() + Vec2::Constant(2 * margin);
+  constexpr double kMostSamples = 1e6;  // along an axis, far more than memory holds of squares
+  ensure(size.maxCoeff() * per_pixel <= kMostSamples, "a raster that can be held");
   nx_ = int(std::ceil(size.x() * per_pixel)) + 2;
   ny_ = int(std::ceil(size.y() * per_pixel)) + 2;
   Nearest nearest(std::size_t(nx_) * ny_);

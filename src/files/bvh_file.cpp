@@ -10,7 +10,7 @@
 namespace artisketch {
 namespace {
 
-constexpr int kMostJoints = 1000, kDeepest = 200;
+constexpr int kMostMotionJoints = 1000, kDeepest = 200;
 constexpr double kMostNumbers = 1e7;
 constexpr double kLargest = 1e6;
 constexpr double kShortestStep = 1e-4, kLongestStep = 60;  // seconds
@@ -156,7 +156,7 @@ class Reader {
 
   int add(const std::string& name, int parent) {
     std::vector<Joint>& joints = motion_.skeleton.joints;
-    if (joints.size() >= std::size_t(kMostJoints))
+    if (joints.size() >= std::size_t(kMostMotionJoints))
       throw Wrong{words_.last_line(), "has more than a thousand joints"};
     joints.push_back({name, parent, Vec3::Zero(), -1, ""});
     return int(joints.size()) - 1;

@@ -14,6 +14,10 @@
 
 namespace artisketch {
 
+// Limits that keep a hostile document affordable, far above what a character needs.
+inline constexpr int kMostJoints = 1000, kMostFrames = 1000;
+inline constexpr int kFewestCells = 16, kMostCells = 400;  // of a grid
+
 // Reads what FORMAT.md says a document is, half drawn as it may be (whether it can be worked on
 // asks files/document_check); all faults come in one Error, one line each: "FILE: JSON-POINTER:
 // what is wrong; what would be right", the first hundred of them. `file` is used in those lines

@@ -1,6 +1,11 @@
 #include "app/job_bytes.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -8,6 +13,11 @@
 
 namespace artisketch {
 namespace {
+
+// Where two values' bytes differ.
+std::size_t difference(const std::string& a, const std::string& b) {
+  return std::size_t(std::mismatch(a.begin(), a.end(), b.begin()).first - a.begin());
+}
 
 JobResult full_result() {
   JobResult result;
@@ -133,11 +143,113 @@ TEST(JobBytes, AByteThatIsNoTruthIsRefused) {
   request.options.calibrate = true;
   const std::string other = job_bytes(request);
   ASSERT_EQ(bytes.size(), other.size());
-  const std::size_t at =
-      std::size_t(std::mismatch(bytes.begin(), bytes.end(), other.begin()).first - bytes.begin());
+  const std::size_t at = difference(bytes, other);
   ASSERT_LT(at, bytes.size());
   bytes[at] = char(245);
   EXPECT_FALSE(read_job_request(bytes));
+}
+
+JobRequest request_with_a_view() {
+  PartView view;
+  view.contours = {{{{10, 10}, {90, 20}, {40, 70}}, true}};
+  Part part;
+  part.views = {view};
+  part.bones = {{0, 1, Vec3::Zero(), Vec3::UnitY()}};
+  JobRequest request;
+  request.kind = JobRequest::Kind::parts;
+  request.parts = {part};
+  return request;
+}
+
+TEST(JobBytes, NumbersThatAStageCannotBearAreRefused) {
+  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
+  const auto refused = [](const auto& change, const auto& value) {
+    JobRequest request = request_with_a_view();
+    change(request.parts[0], value);
+    const auto back = read_job_request(job_bytes(request));
+    EXPECT_FALSE(back);
+    return !back && back.error().kind == Error::Kind::crashed && back.error().faults.size() == 1;
+  };
+  const auto bears = [](const auto& change, const auto& value) {
+    JobRequest request = request_with_a_view();
+    change(request.parts[0], value);
+    return bool(read_job_request(job_bytes(request)));
+  };
+  using Change = std::function<void(Part&, double)>;
+  const std::vector<Change> numbers = {
+      [](Part& p, double x) { p.views[0].contours[0].points[1].y() = x; },
+      [](Part& p, double x) { p.views[0].camera.camera.pixels_per_unit = x; },
+      [](Part& p, double x) { p.views[0].camera.camera.focal_length = x; },
+      [](Part& p, double x) { p.views[0].camera.camera.distance = x; },
+      [](Part& p, double x) { p.views[0].camera.principal_point.x() = x; },
+      [](Part& p, double x) { p.views[0].camera.scale = x; },
+      [](Part& p, double x) { p.views[0].to_world.translation().z() = x; },
+      [](Part& p, double x) { p.bones[0].b.y() = x; },
+      [](Part& p, double x) { p.origin.x() = x; },
+      [](Part& p, double x) { p.fatness = x; },
+  };
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    SCOPED_TRACE(i);
+    EXPECT_TRUE(bears(numbers[i], 2.0));
+    for (const double wrong : {nan, infinite, -infinite, 1e300})
+      EXPECT_TRUE(refused(numbers[i], wrong)) << wrong;
+  }
+  const std::vector<std::function<void(Part&, int)>> indices = {
+      [](Part& p, int i) { p.joint = i; },
+      [](Part& p, int i) { p.bones[0].child = i; },
+      [](Part& p, int i) { p.views[0].frame = i; },
+  };
+  for (const auto& index : indices) {
+    EXPECT_TRUE(bears(index, 999));
+    EXPECT_TRUE(refused(index, -1));
+    EXPECT_TRUE(refused(index, 1000));
+  }
+  // No motion is flat: it has an inverse.
+  EXPECT_TRUE(refused([](Part& p, double x) { p.views[0].to_world.linear()(1, 1) = x; }, 0.0));
+  EXPECT_TRUE(bears([](Part& p, double x) { p.views[0].to_world.linear()(1, 1) = x; }, -1.0));
+}
+
+TEST(JobBytes, ChoicesThatThereAreNotAreRefused) {
+  using Kind = JobRequest::Kind;
+  const JobRequest plain = request_with_a_view();
+  JobRequest other = plain;
+  other.kind = Kind::spheres;
+  const std::string bytes = job_bytes(plain);
+  for (const int choice : {4, -1, 1 << 30}) {
+    std::string wrong = bytes;
+    std::memcpy(wrong.data() + difference(bytes, job_bytes(other)), &choice, sizeof choice);
+    EXPECT_FALSE(read_job_request(wrong)) << choice;
+  }
+  for (const int grid : {15, 401, -5}) {
+    JobRequest request = plain;
+    request.options.grid = grid;
+    EXPECT_FALSE(read_job_request(job_bytes(request))) << grid;
+  }
+}
+
+TEST(JobBytes, MeshesNameVerticesThatTheyHave) {
+  const auto outcome_with = [](int index, double x) {
+    JobResult result = full_result();
+    result.parts[0].mesh.F(0, 1) = index;
+    result.parts[0].mesh.V(2, 2) = x;
+    return read_job_outcome(job_bytes(Result<JobResult>(result)));
+  };
+  EXPECT_TRUE(outcome_with(2, 1));
+  EXPECT_FALSE(outcome_with(3, 1));
+  EXPECT_FALSE(outcome_with(-1, 1));
+  EXPECT_FALSE(outcome_with(2, std::nan("")));
+}
+
+TEST(JobBytes, NothingToCompareIsInfinitelyFarAndComesBackSo) {
+  JobResult result = full_result();
+  const double infinite = std::numeric_limits<double>::infinity();
+  result.parts[0].distances[1] = result.fits[0].parts[1].distance = infinite;
+  const auto back = read_job_outcome(job_bytes(Result<JobResult>(result)));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->parts[0].distances[1], infinite);
+  EXPECT_EQ(back->fits[0].parts[1].distance, infinite);
+  result.parts[0].distances[1] = std::nan("");
+  EXPECT_FALSE(read_job_outcome(job_bytes(Result<JobResult>(result))));
 }
 
 TEST(JobBytes, WhatIsCutShortOrTooLongIsRefused) {

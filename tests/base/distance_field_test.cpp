@@ -1,6 +1,7 @@
 #include "base/distance_field.h"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -55,6 +56,25 @@ TEST(PolygonDistance, GradientIsTheUnitVectorOutward) {
 TEST(PolygonDistance, WithoutPolygonsEverythingIsFarOutside) {
   EXPECT_GT(PolygonDistance().distance({0, 0}), 1e300);
   EXPECT_TRUE(PolygonDistance().empty());
+}
+
+TEST(PolygonDistance, WhatIsNoNumberIsNoLineAndNowhere) {
+  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
+  const std::vector<Vec2> good = circle({0, 0}, 10, 16);
+  const PolygonDistance alone(std::vector<std::vector<Vec2>>{good});
+  for (const double wrong : {nan, infinite, -infinite, 1e300}) {
+    const PolygonDistance beside(
+        std::vector<std::vector<Vec2>>{good, {{0, 0}, {wrong, 1}, {2, 2}}});
+    for (const Vec2& p : {Vec2(1, 2), Vec2(30, -4)})
+      EXPECT_EQ(beside.distance(p), alone.distance(p)) << wrong;
+    for (const Vec2& p : {Vec2(wrong, 0), Vec2(0, wrong), Vec2(wrong, wrong)}) {
+      Vec2 gradient;
+      EXPECT_FALSE(alone.inside(p));
+      EXPECT_GE(alone.distance(p, gradient), 1e299);
+      EXPECT_TRUE(gradient.allFinite());
+    }
+  }
+  EXPECT_TRUE(PolygonDistance(std::vector<std::vector<Vec2>>{{{nan, 0}, {1, 1}, {2, 0}}}).empty());
 }
 
 TEST(SampledDistance, StaysWithinATenthOfAPixel) {
