@@ -85,61 +85,65 @@ PoseSystem::PoseSystem(const Document& document, PoseFreedom freedom)
     if (freedom_.frame[f] || std::count(turns.begin(), turns.end(), 1) > 0) moving_.push_back(f);
   }
   for (int j = 0; j < skeleton.size(); ++j) {
+    const int parent = skeleton.joints[j].parent;
+    if (parent >= 0) node_of_[j] = node_of_[parent];
     const bool ever = std::any_of(moving_.begin(), moving_.end(), [&](int f) {
       return freedom_.joint[f][j] || (j == 0 && freedom_.frame[f]);
     });
     if (!ever) continue;
     Node node;
     node.joint = j;
+    node.parent = node_of_[j];
     node.width = j == 0 ? kMotion : 3;
     node_of_[j] = int(nodes_.size());
-    for (int a = j; a >= 0; a = skeleton.joints[a].parent)
-      if (node_of_[a] >= 0) node.chain.push_back(node_of_[a]);
     nodes_.push_back(std::move(node));
   }
+  eliminated_.resize(nodes_.size());
 }
 
 void PoseSystem::assemble(const PoseChange& change, const MotionSystems& parts) {
   const Skeleton& skeleton = document_.skeleton;
-  const int frames = int(document_.frames.size()), moving = int(moving_.size());
-  // What each joint's motion does to all that hangs on it, one system per joint.
-  below_.resize(skeleton.size());
-  for (MotionSystem& system : below_) system.clear(frames);
+  const int moving = int(moving_.size());
+  for (Node& node : nodes_) node.own.clear(moving);
   for (const auto& [joint, system] : parts) {
-    below_[joint].H += system.H;
-    below_[joint].g += system.g;
-  }
-  for (int j = skeleton.size() - 1; j > 0; --j) {
-    below_[skeleton.joints[j].parent].H += below_[j].H;
-    below_[skeleton.joints[j].parent].g += below_[j].g;
+    if (node_of_[joint] < 0) continue;
+    MotionSystem& own = nodes_[node_of_[joint]].own;
+    for (int m = 0; m < moving; ++m) {
+      own.g.segment<kMotion>(kMotion * m) += system.g.segment<kMotion>(kMotion * moving_[m]);
+      for (int n = 0; n < moving; ++n)
+        own.H.block<kMotion, kMotion>(kMotion * m, kMotion * n) +=
+            system.H.block<kMotion, kMotion>(kMotion * moving_[m], kMotion * moving_[n]);
+    }
   }
   std::vector<std::vector<Transform>> posed;
-  for (int f = 0; f < frames; ++f)
+  for (std::size_t f = 0; f < document_.frames.size(); ++f)
     posed.push_back(posed_joints(skeleton, changed(document_.frames[f].pose, change[f])));
-  std::vector<std::vector<Directions>> S;
-  for (const Node& node : nodes_) S.push_back(directions(node, change, posed));
+  for (Node& node : nodes_) node.S = directions(node, change, posed);
+  sum_up();
+}
 
-  MatrixXd HS;  // a subtree's system in its node's unknowns on one side
+void PoseSystem::sum_up() {
+  const int moving = int(moving_.size());
+  using Block = Eigen::Matrix<double, kMotion, kMotion>;
+  std::vector<std::vector<Block>> H(nodes_.size());  // of each frame with itself
+  std::vector<VectorXd> g;
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    for (int m = 0; m < moving; ++m)
+      H[n].push_back(nodes_[n].own.H.block<kMotion, kMotion>(kMotion * m, kMotion * m));
+    g.push_back(nodes_[n].own.g);
+  }
+  for (std::size_t n = nodes_.size(); n-- > 0;) {
     Node& node = nodes_[n];
-    const MotionSystem& system = below_[node.joint];
-    HS.resize(kMotion * frames, node.width * moving);
     node.gradient.resize(node.width * moving);
+    node.diagonal.resize(node.width * moving);
     for (int m = 0; m < moving; ++m) {
-      const int at = kMotion * moving_[m];
-      HS.middleCols(node.width * m, node.width).noalias() =
-          system.H.middleCols<kMotion>(at) * S[n][m];
+      const Directions& S = node.S[m];
       node.gradient.segment(node.width * m, node.width) =
-          S[n][m].transpose() * system.g.segment<kMotion>(at);
+          S.transpose() * g[n].segment<kMotion>(kMotion * m);
+      node.diagonal.segment(node.width * m, node.width) = (S.transpose() * H[n][m] * S).diagonal();
+      if (node.parent >= 0) H[node.parent][m] += H[n][m];
     }
-    node.blocks.resize(node.chain.size());
-    for (std::size_t i = 0; i < node.chain.size(); ++i) {
-      const Node& other = nodes_[node.chain[i]];
-      node.blocks[i].resize(node.width * moving, other.width * moving);
-      for (int m = 0; m < moving; ++m)
-        node.blocks[i].middleCols(other.width * m, other.width).noalias() =
-            HS.middleRows<kMotion>(kMotion * moving_[m]).transpose() * S[node.chain[i]][m];
-    }
+    if (node.parent >= 0) g[node.parent] += g[n];
   }
 }
 
@@ -166,14 +170,14 @@ std::vector<PoseSystem::Directions> PoseSystem::directions(
   return result;
 }
 
-// A stiff spring along what would only press against a limit that is reached.
+// A stiff spring along what would only press against a limit that is reached. diagonal: of the
+// system, damped.
 void PoseSystem::hold_at_limits(const Node& node, const PoseChange& change, const VectorXd& pull,
-                                MatrixXd& diagonal) const {
+                                VectorXd diagonal, MatrixXd& D) const {
   const auto hold = [&](int at, const Vec3& v, double limit) {
     if (v.norm() < limit * kAtLimit || pull.segment<3>(at).dot(v) <= 0 || v.isZero(0)) return;
     const Vec3 outward = v.normalized();
-    diagonal.block<3, 3>(at, at) +=
-        kStiff * diagonal.block<3, 3>(at, at).trace() * outward * outward.transpose();
+    D.block<3, 3>(at, at) += kStiff * diagonal.segment<3>(at).sum() * outward * outward.transpose();
   };
   for (int m = 0; m < int(moving_.size()); ++m) {
     const FrameChange& frame = change[moving_[m]];
@@ -182,74 +186,103 @@ void PoseSystem::hold_at_limits(const Node& node, const PoseChange& change, cons
   }
 }
 
+void PoseSystem::pull_and_damp(const Node& node, const PoseChange& change, const PosePrior& prior,
+                               double damping, MatrixXd& D, VectorXd& d) const {
+  const Eigen::Index unknowns = node.diagonal.size();
+  D.setZero(unknowns, unknowns);
+  d.setZero(unknowns);
+  const auto pull = [&](int i, double value, double width) {
+    D(i, i) += 1 / (width * width);
+    d[i] += value / (width * width);
+  };
+  for (int m = 0; m < int(moving_.size()); ++m) {
+    const int at = node.width * m;
+    const FrameChange& frame = change[moving_[m]];
+    const double share = prior.share(moving_[m]);
+    for (int i = 0; i < 3; ++i) pull(at + i, frame.rotation[node.joint][i], share * prior.rotation);
+    if (node.joint != 0) continue;
+    for (int i = 0; i < 3; ++i)
+      pull(at + 3 + i, frame.translation[i], share * (i < 2 ? prior.translation : prior.depth));
+    pull(at + 6, frame.log_scale, share * prior.log_scale);
+  }
+  const VectorXd whole = (node.diagonal + D.diagonal()) * (1 + damping);
+  D.diagonal() = whole - node.diagonal;
+  hold_at_limits(node, change, -(node.gradient + d), whole, D);
+}
+
+// Leaves node k's parent a system in its own motion.
+void PoseSystem::eliminate(int k, const MatrixXd& D, const VectorXd& d) {
+  const Node& node = nodes_[k];
+  Eliminated& here = eliminated_[k];
+  const auto& [H, g] = here.system;
+  const int moving = int(moving_.size()), width = node.width;
+  here.Y.resize(width * moving, kMotion * moving);
+  here.L = D;
+  here.z = d;
+  for (int m = 0; m < moving; ++m) {
+    here.Y.middleRows(width * m, width).noalias() =
+        node.S[m].transpose() * H.middleRows<kMotion>(kMotion * m);
+    here.z.segment(width * m, width) += node.S[m].transpose() * g.segment<kMotion>(kMotion * m);
+  }
+  for (int m = 0; m < moving; ++m)
+    here.L.middleCols(width * m, width).noalias() +=
+        here.Y.middleCols<kMotion>(kMotion * m) * node.S[m];
+  Eigen::LLT<Eigen::Ref<MatrixXd>> in_place(here.L);
+  const auto L = here.L.triangularView<Eigen::Lower>();
+  L.solveInPlace(here.Y);
+  L.solveInPlace(here.z);
+  if (node.parent < 0) return;
+  MotionSystem& above = eliminated_[node.parent].system;
+  above.H += H;
+  above.H.noalias() -= here.Y.transpose() * here.Y;
+  above.g += g;
+  above.g.noalias() -= here.Y.transpose() * here.z;
+}
+
 PoseChange PoseSystem::stepped(const PoseChange& change, const PosePrior& prior, double damping) {
-  const int n = int(nodes_.size()), moving = int(moving_.size());
-  std::vector<std::vector<MatrixXd>>& A = factor_;
-  A.resize(n);
-  std::vector<VectorXd> x(n);
-  for (int k = 0; k < n; ++k) {
-    const Node& node = nodes_[k];
-    A[k] = node.blocks;
-    x[k] = -node.gradient;
-    const auto pull = [&, k](int i, double value, double width) {
-      A[k][0](i, i) += 1 / (width * width);
-      x[k][i] -= value / (width * width);
-    };
-    for (int m = 0; m < moving; ++m) {
-      const int at = node.width * m;
-      const FrameChange& frame = change[moving_[m]];
-      const double share = prior.share(moving_[m]);
-      for (int i = 0; i < 3; ++i)
-        pull(at + i, frame.rotation[node.joint][i], share * prior.rotation);
-      if (node.joint != 0) continue;
-      for (int i = 0; i < 3; ++i)
-        pull(at + 3 + i, frame.translation[i], share * (i < 2 ? prior.translation : prior.depth));
-      pull(at + 6, frame.log_scale, share * prior.log_scale);
-    }
-    A[k][0].diagonal() *= 1 + damping;
-    hold_at_limits(node, change, x[k], A[k][0]);
-  }
-  // Leaves first: each node is eliminated from its ancestors, which its chain couples already. The
-  // lower triangle of A[k][0] becomes its Cholesky factor.
-  for (int k = n - 1; k >= 0; --k) {
-    const std::vector<int>& chain = nodes_[k].chain;
-    Eigen::LLT<Eigen::Ref<MatrixXd>> in_place(A[k][0]);
-    const auto L = A[k][0].triangularView<Eigen::Lower>();
-    L.solveInPlace(x[k]);
-    for (std::size_t i = 1; i < chain.size(); ++i) L.solveInPlace(A[k][i]);
-    for (std::size_t i = 1; i < chain.size(); ++i) {
-      x[chain[i]].noalias() -= A[k][i].transpose() * x[k];
-      for (std::size_t j = i; j < chain.size(); ++j)
-        A[chain[i]][j - i].noalias() -= A[k][i].transpose() * A[k][j];
-    }
-  }
-  for (int k = 0; k < n; ++k) {
-    const std::vector<int>& chain = nodes_[k].chain;
-    for (std::size_t i = 1; i < chain.size(); ++i) x[k].noalias() -= A[k][i] * x[chain[i]];
-    A[k][0].triangularView<Eigen::Lower>().transpose().solveInPlace(x[k]);
+  const int moving = int(moving_.size());
+  MatrixXd D;
+  VectorXd d;
+  for (std::size_t k = 0; k < nodes_.size(); ++k) eliminated_[k].system = nodes_[k].own;
+  for (std::size_t k = nodes_.size(); k-- > 0;) {
+    pull_and_damp(nodes_[k], change, prior, damping, D, d);
+    eliminate(int(k), D, d);
   }
   PoseChange result = change;
-  for (int k = 0; k < n; ++k) {
+  std::vector<VectorXd> motions;  // per node, of all that hangs on it
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const Node& node = nodes_[k];
-    for (int m = 0; m < moving; ++m) {
-      const int at = node.width * m, f = moving_[m];
-      Vec3& turn = result[f].rotation[node.joint];
-      if (freedom_.joint[f][node.joint])
-        turn = clamped(turn + x[k].segment<3>(at), freedom_.max_rotation);
-      if (node.joint != 0 || !freedom_.frame[f]) continue;
-      result[f].translation =
-          clamped(result[f].translation + x[k].segment<3>(at + 3), freedom_.max_translation);
-      if (freedom_.scale) result[f].log_scale += x[k][at + 6];
-    }
+    const Eliminated& here = eliminated_[k];
+    VectorXd motion = node.parent < 0 ? VectorXd::Zero(kMotion * moving) : motions[node.parent];
+    VectorXd x = -here.z;
+    x.noalias() -= here.Y * motion;
+    here.L.triangularView<Eigen::Lower>().transpose().solveInPlace(x);
+    for (int m = 0; m < moving; ++m)
+      motion.segment<kMotion>(kMotion * m) += node.S[m] * x.segment(node.width * m, node.width);
+    motions.push_back(std::move(motion));
+    move(node, x, result);
   }
   return result;
+}
+
+void PoseSystem::move(const Node& node, const VectorXd& x, PoseChange& result) const {
+  for (int m = 0; m < int(moving_.size()); ++m) {
+    const int at = node.width * m, f = moving_[m];
+    Vec3& turn = result[f].rotation[node.joint];
+    if (freedom_.joint[f][node.joint])
+      turn = clamped(turn + x.segment<3>(at), freedom_.max_rotation);
+    if (node.joint != 0 || !freedom_.frame[f]) continue;
+    result[f].translation =
+        clamped(result[f].translation + x.segment<3>(at + 3), freedom_.max_translation);
+    if (freedom_.scale) result[f].log_scale += x[at + 6];
+  }
 }
 
 double PoseSystem::expected_energy(const PosePrior& prior) const {
   double sum = 0;
   for (const Node& node : nodes_)
     for (int m = 0; m < int(moving_.size()); ++m) {
-      const auto diagonal = node.blocks[0].diagonal().segment(node.width * m, node.width);
+      const auto diagonal = node.diagonal.segment(node.width * m, node.width);
       sum += diagonal.head<3>().sum() * prior.rotation * prior.rotation;
       if (node.joint != 0) continue;
       sum += diagonal.segment<2>(3).sum() * prior.translation * prior.translation;

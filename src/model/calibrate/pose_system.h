@@ -61,10 +61,10 @@ struct PoseFreedom {
   bool scale = false;                    // frames that move find their scale, too
 };
 
-// Collects the parts' systems down the skeleton into one in the pose's unknowns (as the composite
-// bodies of Featherstone 2008, section 6.2, are), and solves it by a block Cholesky factorisation
-// from the leaves to the root. That fills in nothing: joints are coupled with their ancestors
-// alone.
+// The parts' systems as one in the pose's unknowns, solved in time linear in the joints, whatever
+// tree they are: a joint's motion is its parent's and that of its own unknowns, so that these are
+// eliminated from the leaves to the root, each leaving a system in its parent's motion alone
+// (Featherstone 2008, chapter 7: articulated bodies).
 class PoseSystem {
  public:
   PoseSystem(const Document& document, PoseFreedom freedom);
@@ -81,30 +81,45 @@ class PoseSystem {
   const PoseFreedom& freedom() const { return freedom_; }
 
  private:
-  // A joint that may move in some frame.
-  struct Node {
-    int joint = 0;
-    int width = 3;           // unknowns per frame that moves: a rotation; a motion of the root
-    std::vector<int> chain;  // nodes from this one up to the root
-    std::vector<Eigen::MatrixXd> blocks;  // of the system, with each node of the chain
-    Eigen::VectorXd gradient;
-  };
   // Per frame that moves: the motion of all that hangs on a node for each of its unknowns, 7 ×
   // width.
   using Directions = Eigen::Matrix<double, kMotion, Eigen::Dynamic, 0, kMotion, kMotion>;
+  // A joint that may move in some frame, with the joints on it that never do.
+  struct Node {
+    int joint = 0;
+    int parent = -1;   // the node that it hangs on; −1: what stands still
+    int width = 3;     // unknowns per frame that moves: a rotation; a motion of the root
+    MotionSystem own;  // of its parts, in the frames that move
+    std::vector<Directions> S;
+    Eigen::VectorXd gradient;  // of the energy by its unknowns
+    Eigen::VectorXd diagonal;  // of the system in all unknowns
+  };
+  // One elimination, kept from step to step for its memory. With LLᵀ = SᵀHS + D, D what a node's
+  // unknowns add by themselves: Y = L⁻¹SᵀH and z = L⁻¹(Sᵀg + d), by which the node's unknowns
+  // follow from its parent's motion.
+  struct Eliminated {
+    MotionSystem system;  // the node's and what its children leave of theirs
+    Eigen::MatrixXd L, Y;
+    Eigen::VectorXd z;
+  };
+
   std::vector<Directions> directions(const Node& node, const PoseChange& change,
                                      const std::vector<std::vector<Transform>>& posed) const;
+  void sum_up();  // gradients and diagonals, of all that hangs on each node
+  // What a node's unknowns add by themselves: the prior, its damping, the limits.
+  void pull_and_damp(const Node& node, const PoseChange& change, const PosePrior& prior,
+                     double damping, Eigen::MatrixXd& D, Eigen::VectorXd& d) const;
   void hold_at_limits(const Node& node, const PoseChange& change, const Eigen::VectorXd& pull,
-                      Eigen::MatrixXd& diagonal) const;
+                      Eigen::VectorXd diagonal, Eigen::MatrixXd& D) const;
+  void eliminate(int k, const Eigen::MatrixXd& D, const Eigen::VectorXd& d);
+  void move(const Node& node, const Eigen::VectorXd& x, PoseChange& result) const;
 
   const Document& document_;
   PoseFreedom freedom_;
   std::vector<int> moving_;   // frames in which anything may move
   std::vector<Node> nodes_;   // parents before children
-  std::vector<int> node_of_;  // per joint; −1: it never moves
-  // Kept from step to step for their memory.
-  std::vector<MotionSystem> below_;                   // per joint: of all that hangs on it
-  std::vector<std::vector<Eigen::MatrixXd>> factor_;  // per node: blocks, being eliminated
+  std::vector<int> node_of_;  // per joint: the one that it moves with; −1: it stands still
+  std::vector<Eliminated> eliminated_;
 };
 
 double prior_energy(const PoseChange& change, const PosePrior& prior);
