@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <string>
 
 namespace artisketch {
 namespace {
@@ -295,6 +297,100 @@ Eigen::ArrayXXf without_thin_dark(Eigen::ArrayXXf light, int r) {
   return light;
 }
 
+Rgb rgb_of(const Pixel& pixel) {
+  return Rgb(pixel[0], pixel[1], pixel[2]) / 255;
+}
+// Whether both may be one colour, in shade and in light.
+bool one_colour(const Rgb& a, const Rgb& b) {
+  constexpr float kAlike = 0.1f, kDarkest = 0.6f, kTinted = 0.15f;
+  if ((a - b).norm() < kAlike) return true;
+  const float light = std::max(a.mean(), b.mean()), dark = std::min(a.mean(), b.mean());
+  return dark > kDarkest * light && (a / a.mean() - b / b.mean()).norm() < kTinted;
+}
+
+// Stretches of one colour, in shade or not, without lines of ink.
+struct Stretches {
+  std::vector<int> of;  // each pixel; −1: ink, or nothing
+  std::vector<Rgb> colour;
+  std::vector<bool> large;  // ground, and no detail
+};
+Stretches stretches_of(const Overlay& o, const std::vector<Pixel>& colour,
+                       const std::vector<std::uint8_t>& state) {
+  constexpr double kLargest = 0.1;  // detail, of the figure's size in the drawing
+  const double least = kLargest * std::hypot(o.x.size(), o.y.size());
+  Stretches out;
+  out.of.assign(state.size(), -1);
+  std::vector<std::array<int, 2>> places;
+  for (int y = o.y.begin; y < o.y.end; ++y)
+    for (int x = o.x.begin; x < o.x.end; ++x) {
+      if (state[o.index(x, y)] == Sketch::nothing || out.of[o.index(x, y)] >= 0) continue;
+      const int id = int(out.colour.size());
+      out.of[o.index(x, y)] = id;
+      places = {{x, y}};
+      Eigen::AlignedBox2i box;
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (std::size_t head = 0; head < places.size(); ++head) {
+        const auto [u, v] = places[head];
+        const std::size_t p = o.index(u, v);
+        box.extend(Eigen::Vector2i(u, v));
+        sum += rgb_of(colour[p]).cast<double>();
+        for (const auto& [dx, dy] : kBeside) {
+          if (!o.inside(u + dx, v + dy)) continue;
+          const std::size_t q = o.index(u + dx, v + dy);
+          if (state[q] == Sketch::nothing || out.of[q] >= 0) continue;
+          // With the whole of it, too: soft edges would lead from colour to colour.
+          if (!alike(colour[p], colour[q]) && !one_colour(rgb_of(colour[p]), rgb_of(colour[q])))
+            continue;
+          if (!one_colour(rgb_of(colour[q]), Rgb(sum.cast<float>() / float(head + 1)))) continue;
+          out.of[q] = id;
+          places.push_back({u + dx, v + dy});
+        }
+      }
+      out.colour.push_back((sum / double(places.size())).cast<float>());
+      out.large.push_back(box.sizes().cast<double>().norm() > least);
+    }
+  return out;
+}
+
+// Whether a line of ink only parts two colours, as hair from a face: the surface has none there. A
+// line on one colour draws something, and so do lines round what is small, as eyes.
+bool only_parts_colours(const Overlay& o, const std::vector<Pixel>& colour,
+                        const Stretches& stretches, int x, int y, int reach) {
+  constexpr float kLeast = 0.15f, kMostDetail = 0.3f;
+  constexpr float kInk = 0.6f;  // times as light as either side; what is lighter is a ribbon
+  std::array<std::pair<int, int>, 8> near = {};  // large stretches and their pixels
+  int kinds = 0, detail = 0, all = 0;
+  float darkest = 1;
+  for (int v = std::max(y - reach, o.y.begin); v <= std::min(y + reach, o.y.end - 1); ++v)
+    for (int u = std::max(x - reach, o.x.begin); u <= std::min(x + reach, o.x.end - 1); ++u) {
+      const int id = stretches.of[o.index(u, v)];
+      if (id < 0) {
+        if (o.inside(u, v) && std::abs(u - x) <= 1 && std::abs(v - y) <= 1)
+          darkest = std::min(darkest, lightness(colour[o.index(u, v)]));
+        continue;
+      }
+      ++all;
+      if (!stretches.large[id]) {
+        ++detail;
+        continue;
+      }
+      int k = 0;
+      while (k < kinds && near[k].first != id) ++k;
+      if (k == int(near.size())) continue;
+      if (k == kinds) near[kinds++] = {id, 0};
+      ++near[k].second;
+    }
+  if (float(detail) > kMostDetail * float(all)) return false;
+  for (int i = 0; i < kinds; ++i)
+    for (int j = 0; j < i; ++j) {
+      const Rgb &a = stretches.colour[near[i].first], &b = stretches.colour[near[j].first];
+      if (float(std::min(near[i].second, near[j].second)) >= kLeast * float(all) &&
+          !one_colour(a, b) && darkest <= kInk * std::min(a.mean(), b.mean()))
+        return true;
+    }
+  return false;
+}
+
 }  // namespace
 
 void fill_colours(const Frame& frame, const Image& picture, const Triangles& F,
@@ -344,7 +440,17 @@ void fill_colours(const Frame& frame, const Image& picture, const Triangles& F,
   each(darker, [&](std::size_t p, float by) {
     if (state[p] == Sketch::pulled || by > kInkDarker) state[p] = Sketch::nothing;
   });
+  const Stretches stretches = stretches_of(o, sketch.colour, state);
+  const std::vector<std::uint8_t> bare = state;
   spread(o, reach, sketch.plain, state);
+  std::vector<std::size_t> between;
+  for (int y = o.y.begin; y < o.y.end; ++y)
+    for (int x = o.x.begin; x < o.x.end; ++x)
+      if (const std::size_t p = o.index(x, y);
+          bare[p] == Sketch::nothing && sketch.state[p] != Sketch::nothing &&
+          only_parts_colours(o, sketch.colour, stretches, x, y, r + 1))
+        between.push_back(p);
+  for (const std::size_t p : between) sketch.colour[p] = sketch.plain[p];
   sketch.depth = o.seen.depth;
   sketch.joint.resize(distance.size());
   for (std::size_t p = 0; p < distance.size(); ++p)

@@ -148,6 +148,38 @@ TEST(Texture, LinesOfInkStayWhereTheyAreSeenSquarely) {
   EXPECT_GT(inked, 10);
 }
 
+// Hair and a face, drawn with a line between them, meet on the surface without it; the line round
+// what is small, as an eye, draws that and stays.
+TEST(Texture, LinesThatOnlyPartColoursAreInk) {
+  constexpr double kSpot = 3.5;  // pixels
+  const Vec2 spot(kSize / 2.0, kSize / 2.0 - 18);
+  const Model plain = ball();
+  Image drawing = disc(kRed);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      std::uint8_t* p = drawing.at(x, y);
+      if (p[0] != kRed.r) continue;
+      const auto paint = [&](const Colour& c) { p[0] = c.r, p[1] = c.g, p[2] = c.b; };
+      if (y > kSize / 2) paint(kBlue);
+      if (std::abs(y - kSize / 2) <= 1) paint(kInk);
+      const double r = (Vec2(x + 0.5, y + 0.5) - spot).norm();
+      if (r < kSpot) paint(kBlue);
+      if (r >= kSpot && r < kSpot + 3) paint(kInk);
+    }
+  const Model model = painted(document_of(plain.skeleton, {0}), {drawing}, plain);
+  int border = 0, ring = 0;
+  for (int v = 0; v < model.mesh.V.rows(); ++v) {
+    if (model.mesh.V(v, 2) < 0.6) continue;
+    const bool dark = is(texel(model, v), kInk, 40);
+    const Vec2 pixel =
+        Vec2(kSize / 2.0 + kScale * model.mesh.V(v, 0), kSize / 2.0 - kScale * model.mesh.V(v, 1));
+    if (std::abs(pixel.y() - kSize / 2.0) < 3) border += dark ? -1000 : 1;
+    if (std::abs((pixel - spot).norm() - kSpot - 1.5) < 1) ring += dark;
+  }
+  EXPECT_GT(border, 20);
+  EXPECT_GT(ring, 5);
+}
+
 // The model may reach a few pixels beyond the figure, onto paper that isn't transparent.
 TEST(Texture, PaperBesideTheOutlinesIsNoColour) {
   const Model plain = ball();
