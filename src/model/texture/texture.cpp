@@ -5,6 +5,7 @@
 
 #include "base/raster.h"
 #include "model/texture/atlas.h"
+#include "model/texture/details.h"
 #include "model/texture/on_paper.h"
 #include "model/texture/unseen.h"
 
@@ -182,9 +183,10 @@ Result<Model> textured(const Document& calibrated, std::span<const Image> drawin
                        const Model& model, Run& run) {
   const std::vector<Image> laid = laid_on_paper(drawings);
   if (!laid.empty()) drawings = laid;
-  const Result<DrawnSurface> surface = drawn_surface(calibrated, drawings, model, run);
+  Result<DrawnSurface> surface = drawn_surface(calibrated, drawings, model, run);
   if (!surface) return surface.error();
   const FaceNeighbours neighbours = face_neighbours(model.mesh.F);
+  keep_details_once(model.mesh, neighbours, *surface);
   const std::vector<int> chosen = choose_views(model.mesh, neighbours, *surface);
   if (std::all_of(chosen.begin(), chosen.end(), [](int view) { return view < 0; })) return model;
   if (run.cancelled()) return cancelled();

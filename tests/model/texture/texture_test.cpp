@@ -180,6 +180,39 @@ TEST(Texture, LinesThatOnlyPartColoursAreInk) {
   EXPECT_GT(ring, 5);
 }
 
+// Two drawings of a ball with one dark spot, which the second has 17° from where the first has it:
+// as where a model's depth is a little off.
+TEST(Texture, ADetailIsPaintedOnce) {
+  constexpr double kSpot = 0.13;  // radians
+  const Model plain = ball();
+  const auto with_spot = [](double azimuth) {
+    const Vec3 towards(std::sin(radians(azimuth)), 0, std::cos(radians(azimuth)));
+    Image drawing = disc(kRed);
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) {
+        const Vec2 p = (Vec2(x + 0.5, y + 0.5) - Vec2::Constant(kSize / 2.0)) / kScale;
+        const double front = 1 - p.squaredNorm();
+        if (front < 0 || Vec3(p.x(), -p.y(), std::sqrt(front)).dot(towards) < std::cos(kSpot))
+          continue;
+        std::uint8_t* c = drawing.at(x, y);
+        c[0] = kBlue.r, c[1] = kBlue.g, c[2] = kBlue.b;
+      }
+    return drawing;
+  };
+  const double turn = -75;
+  const Model model =
+      painted(document_of(plain.skeleton, {0, turn}), {with_spot(57), with_spot(74 + turn)}, plain);
+  int first = 0, second = 0;
+  for (int v = 0; v < model.mesh.V.rows(); ++v) {
+    const double azimuth = degrees(std::atan2(model.mesh.V(v, 0), model.mesh.V(v, 2)));
+    if (!is(texel(model, v), kBlue, 60) || std::abs(model.mesh.V(v, 1)) > kSpot) continue;
+    if (std::abs(azimuth - 57) < 5) ++first;
+    if (std::abs(azimuth - 74) < 5) ++second;
+  }
+  EXPECT_GT(std::max(first, second), 5);
+  EXPECT_EQ(std::min(first, second), 0);
+}
+
 // The model may reach a few pixels beyond the figure, onto paper that isn't transparent.
 TEST(Texture, PaperBesideTheOutlinesIsNoColour) {
   const Model plain = ball();
