@@ -117,7 +117,7 @@ void NarrowBand::carry_distances() {
         int& nearest = nearest_[next];
         if (nearest == f || (nearest >= 0 && front_[nearest].index == next)) continue;
         const float distance = distance_to_piece(f, there - front_[f].at);
-        if (distance >= std::abs(v)) continue;
+        if (!(distance < std::abs(v))) continue;  // nor what is no number: the wave must end
         nearest = f;
         v = std::copysign(distance, v);
         wave.emplace_back(next, there);

@@ -44,14 +44,15 @@ class NarrowBand {
   double curvature(const Front& f) const;
 
   // Moves the surface outward by `way` cells (one value for each front cell), nowhere beyond φ ≥
-  // least(index). Lays the band anew once the front has gone half a cell in all.
+  // least(index), which may be +infinity. Lays the band anew once the front has gone half a cell in
+  // all.
   template <class Least>
   void move(std::span<const float> way, const Least& least) {
     float longest = 0;
     for (const float w : way) longest = std::max(longest, std::abs(w));
     for (const Cell& cell : cells_) {
       float& value = phi_.values[cell.index];
-      value = std::max(value - way[cell.front], least(cell.index));
+      value = std::min(std::max(value - way[cell.front], least(cell.index)), kFar);
     }
     travelled_ += longest;
     if (travelled_ > kMostTravel) lay();
@@ -62,6 +63,7 @@ class NarrowBand {
 
  private:
   static constexpr double kMostTravel = 0.5;
+  static constexpr float kFar = 1e6f;  // cells: φ stays a number where `least` is infinite
   void find_front();
   void carry_distances();
   float distance_to_piece(int f, const Index3& offset) const;

@@ -1,6 +1,8 @@
 #include "base/narrow_band.h"
 
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -53,6 +55,21 @@ TEST(NarrowBand, NormalsPointOutward) {
   const NarrowBand band(ball(10), 3);
   for (const NarrowBand::Front& f : band.front())
     EXPECT_GT(f.normal.dot((f.at.cast<double>() - Vec3::Constant(kMiddle)).normalized()), 0.99);
+}
+
+// Where a camera sees nothing a hull is infinitely far outside, right beside the surface.
+TEST(NarrowBand, BesideWhatIsInfinitelyFarAllStaysANumber) {
+  Grid3<float> phi = ball(8);
+  for (float& v : phi.values)
+    if (v > 0.9f) v = std::numeric_limits<float>::infinity();
+  NarrowBand band(phi, 3);
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<float> way(band.front().size(), 0.1f);
+    band.move(way, [&](int index) { return phi.values[index] - 0.5f; });
+    for (const NarrowBand::Front& f : band.front()) ASSERT_TRUE(f.normal.allFinite());
+    for (const float v : band.phi().values) ASSERT_TRUE(std::isfinite(v));
+  }
+  EXPECT_FALSE(band.front().empty());
 }
 
 // Growing by a tenth of a cell fifty times is growing by five cells, through many new bands.

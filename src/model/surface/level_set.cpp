@@ -56,6 +56,7 @@ std::vector<ViewFields> view_fields(const Part& part, const Grid3<float>& grid) 
   std::vector<ViewFields> fields;
   for (std::size_t v = 0; v < part.views.size(); ++v) {
     const PartView& view = part.views[v];
+    if (!view.camera.in_front(view.to_world * middle)) continue;  // its pixels have no size there
     const double cell_pixels = grid.cell * view.pixels_per_unit(middle);
     std::vector<VectorFlow::Segment> segments;
     for (const Polyline& line : view.contours)
