@@ -38,13 +38,18 @@ inline void go_round(std::vector<Vec2>& points) {
   });
 }
 
+// How large a document may be.
+struct Most {
+  int joints = 3, frames = 3, contours = 4, points = 12;  // contours of a frame, points of each
+};
+
 template <class Bytes>
-Contour contour_from(Bytes& bytes, int joints) {
+Contour contour_from(Bytes& bytes, int joints, int points) {
   Contour contour;
   contour.joint = bytes.ConsumeIntegralInRange(0, joints - 1);
   contour.line.closed = bytes.ConsumeIntegralInRange(0, 7) != 0;
   const bool simple = bytes.ConsumeBool();
-  const int count = bytes.ConsumeIntegralInRange(2, 12);
+  const int count = bytes.ConsumeIntegralInRange(2, points);
   for (int i = 0; i < count; ++i) {
     const int x = bytes.ConsumeIntegralInRange(0, 32);
     const int y = bytes.ConsumeIntegralInRange(0, 32);
@@ -55,7 +60,7 @@ Contour contour_from(Bytes& bytes, int joints) {
 }
 
 template <class Bytes>
-Document document_from(Bytes& bytes) {
+Document document_from(Bytes& bytes, const Most& most = {}) {
   Document document;
   document.name = "fuzz";
   document.camera.type =
@@ -63,7 +68,7 @@ Document document_from(Bytes& bytes) {
   document.camera.pixels_per_unit = 50;
   document.camera.focal_length = 200;
   document.camera.distance = 4;
-  const int joints = bytes.ConsumeIntegralInRange(1, 3);
+  const int joints = bytes.ConsumeIntegralInRange(1, most.joints);
   for (int j = 0; j < joints; ++j) {
     Joint joint;
     joint.name = "joint" + std::to_string(j);
@@ -71,15 +76,16 @@ Document document_from(Bytes& bytes) {
     joint.offset = 0.1 * small_integers(bytes);
     document.skeleton.joints.push_back(joint);
   }
-  const int frames = bytes.ConsumeIntegralInRange(1, 3);
+  const int frames = bytes.ConsumeIntegralInRange(1, most.frames);
   for (int f = 0; f < frames; ++f) {
     Frame frame;
     frame.name = "frame" + std::to_string(f);
     frame.width = frame.height = 128;
     frame.pose = rest_pose(document.skeleton);
     for (Quat& rotation : frame.pose.rotations) rotation = rotation_from(bytes);
-    const int contours = bytes.ConsumeIntegralInRange(0, 4);
-    for (int c = 0; c < contours; ++c) frame.contours.push_back(contour_from(bytes, joints));
+    const int contours = bytes.ConsumeIntegralInRange(0, most.contours);
+    for (int c = 0; c < contours; ++c)
+      frame.contours.push_back(contour_from(bytes, joints, most.points));
     document.frames.push_back(frame);
   }
   return document;

@@ -11,6 +11,7 @@
 #include "base/words.h"
 #include "model/consolidate/bridge_parts.h"
 #include "model/consolidate/close_gaps.h"
+#include "model/consolidate/consolidated.h"
 #include "model/consolidate/fair.h"
 #include "model/consolidate/resolve_self_intersections.h"
 #include "model/consolidate/unfold.h"
@@ -19,18 +20,19 @@ namespace artisketch {
 namespace {
 
 constexpr double kCellsAcrossThinnest = 6;
-constexpr double kWantedVertices = 40000;  // of the lattice's surface, where no part is thinner
-constexpr double kMostVertices = 120000;
-constexpr double kMostSamples = 1e9;  // of the lattice, stored or not
-constexpr double kMostStored = 2e7;   // 160 MB
+constexpr int kSmoothVertices = 40000;  // of the lattice's surface, where no part is thinner
+constexpr double kMostTimes = 3;        // as many vertices, where parts are thin
+constexpr double kMostSamples = 1e9;    // of the lattice, stored or not
+constexpr double kMostStored = 2e7;     // 160 MB
 constexpr double kMostAlongSide = 1e4;
 
 // Between non-adjacent parts, in cells: the lattice needs the first to keep them apart; once it
 // has, their surfaces may come as near as the second.
 constexpr double kLatticeGap = 2, kFinalGap = 0.5;
 
-// The lattice's step: fine enough for the thinnest part, and for a surface that looks smooth.
-double cell_size(const PartTree& tree, std::span<const PartSurface> parts, int triangles) {
+// The lattice's step: fine enough for the thinnest part, and for a surface of so many vertices.
+double cell_size(const PartTree& tree, std::span<const PartSurface> parts, int triangles,
+                 double vertices) {
   double area = 0, stored = 0, thinnest = BlockGrid::kOutside;
   Box3 all;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -45,9 +47,9 @@ double cell_size(const PartTree& tree, std::span<const PartSurface> parts, int t
   // Two triangles a vertex; parts hide some of their area in each other.
   constexpr double kHidden = 1.7;
   const double asked = kHidden * triangles / 2;
-  const double wanted = std::max(
-      std::min(cell_for(std::max(kWantedVertices, asked)), thinnest / kCellsAcrossThinnest),
-      cell_for(std::max(kMostVertices, asked)));
+  const double wanted =
+      std::max(std::min(cell_for(std::max(vertices, asked)), thinnest / kCellsAcrossThinnest),
+               cell_for(std::max(kMostTimes * vertices, asked)));
   // Small parts far apart, thin ones across the grain: memory has its limits.
   const Vec3 sides = all.sizes();
   return std::max({wanted, std::cbrt(stored / kMostStored), std::cbrt(sides.prod() / kMostSamples),
@@ -263,12 +265,18 @@ void back_to_lattice(const Points3& lattice, Mesh& skin) {
 Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> parts,
                          const ConsolidateOptions& options, std::vector<std::string>& warnings,
                          Run& run) {
+  return consolidated(document, parts, options, kSmoothVertices, warnings, run);
+}
+
+Result<Mesh> consolidated(const Document& document, std::span<const PartSurface> parts,
+                          const ConsolidateOptions& options, int vertices,
+                          std::vector<std::string>& warnings, Run& run) {
   const PartTree tree = part_tree(document, parts);
   if (std::none_of(tree.nodes.begin(), tree.nodes.end(), [](const auto& n) { return n.solid; }))
     return bad_input("no part has a body: draw a closed contour for at least one joint");
   std::vector<JointSphere> spheres;
   if (options.blend) spheres = joint_spheres(document, parts, tree);
-  const double cell = cell_size(tree, parts, options.triangles);
+  const double cell = cell_size(tree, parts, options.triangles, vertices);
   Body body(parts, tree, spheres, kLatticeGap * cell);
   Body::Sampled sampled;
   Surface surface;
