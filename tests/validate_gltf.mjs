@@ -22,6 +22,8 @@ for (const model of models) {
   }
   const { numErrors, numWarnings, numInfos } = issues;
   console.log(`${model}: ${numErrors} errors, ${numWarnings} warnings, ${numInfos} infos`);
-  const told = issues.messages.filter(({ severity, code }) => severity === 2 && !code.startsWith('UNUSED_'));
+  // The validator knows no avatars: tests/other/vrm_import.mjs looks at what makes one.
+  const told = issues.messages.filter(({ severity, code, message }) => severity === 2 &&
+    !code.startsWith('UNUSED_') && !(code === 'UNSUPPORTED_EXTENSION' && message.includes("'VRMC_")));
   if (numErrors + numWarnings + told.length > 0) process.exitCode = 1;
 }

@@ -28,6 +28,7 @@
 #include "files/report_file.h"
 #include "files/sprites.h"
 #include "files/trace_file.h"
+#include "files/vrm.h"
 #include "model/calibrate/unseen_sides.h"
 #include "model/rig/library.h"
 #include "model/rig/retarget.h"
@@ -102,6 +103,7 @@ std::optional<std::string> wrong_ending(const std::vector<Target>& targets) {
     std::string_view ending;
     std::optional<Kind> kind;  // none: nothing that is written here
   } kEndings[] = {{".glb", Kind::model},
+                  {".vrm", Kind::model},
                   {".obj", Kind::model},
                   {".stl", Kind::model},
                   {".ply", Kind::model},
@@ -121,7 +123,8 @@ std::optional<std::string> wrong_ending(const std::vector<Target>& targets) {
                   {".fbx", {}},
                   {".bvh", {}},
                   {".zip", {}}};
-  constexpr const char* kRight[] = {".glb, .obj, .stl or .ply", ".artisketch", ".png", ".json"};
+  constexpr const char* kRight[] = {".glb, .vrm, .obj, .stl or .ply", ".artisketch", ".png",
+                                    ".json"};
   for (const Target& target : targets) {
     std::string ending = std::filesystem::path(target.path).extension().string();
     for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
@@ -330,11 +333,21 @@ Result<std::vector<MovedBy>> moved_by(const std::string& file, const Document& d
   return all;
 }
 
+// Why an engine's rig doesn't fit the document's skeleton, before anything is made.
+std::optional<std::string> unfit(const Document& document, const std::string& rig) {
+  if (rig.empty()) return std::nullopt;
+  Model bare;
+  bare.skeleton = document.skeleton;
+  const Result<Model> rigged = with_rig(bare, rig);
+  if (rigged) return std::nullopt;
+  return rigged.error().text();
+}
+
 int reconstruct_verb(Arguments& a) {
   const std::string ending = model_ending(a.out);
   if (ending.empty())
     return bad_command_line("-o " + a.out +
-                            ": wanted a file that ends in .glb, .obj, .stl or .ply");
+                            ": wanted a file that ends in .glb, .vrm, .obj, .stl or .ply");
   const std::vector<Target> targets{{"-o", a.out, Kind::model},
                                     {"--calibrated", a.calibrated, Kind::document},
                                     {"--report", a.report, Kind::report},
@@ -351,8 +364,19 @@ int reconstruct_verb(Arguments& a) {
   std::vector<std::string> inputs = files_of(*document, a.in);
   inputs.push_back(a.motion);
   if (const auto words = overwritten(targets, inputs)) return bad_command_line(*words);
+  std::optional<VrmMeta> about;
+  if (ending == ".vrm") {
+    if (!a.rig.empty())
+      return bad_command_line("--rig " + a.rig +
+                              ": a .vrm names joints in its own way; leave --rig out");
+    Result<VrmMeta> meta = vrm_meta(*document, a.in);
+    if (!meta) return fail(meta.error());
+    about = std::move(*meta);
+  }
+  if (const auto fault = unfit(*document, about ? "unity" : a.rig))
+    return fail(bad_input((about ? "-o " + a.out : "--rig " + a.rig) + ": " + *fault));
   Result<std::vector<MovedBy>> moved = std::vector<MovedBy>();
-  if (!a.motion.empty() && ending != ".glb")
+  if (!a.motion.empty() && ending != ".glb" && ending != ".vrm")
     print_warnings({"--motion " + a.motion + ": is left out, since " + ending +
                     " holds the surface alone; name a .glb to have it"});
   else if (!a.motion.empty())
@@ -389,8 +413,9 @@ int reconstruct_verb(Arguments& a) {
     rigged = std::move(*made);
   }
   std::vector<Output> outputs;
-  Result<std::string> model = model_bytes_for(ending, rigged ? *rigged : result->model);
-  if (!model) return fail(model.error());
+  Result<std::string> model = about ? vrm_bytes(result->model, *about)
+                                    : model_bytes_for(ending, rigged ? *rigged : result->model);
+  if (!model) return fail(bad_input(a.out + ": " + model.error().text()));
   const std::size_t size = model->size();
   if (!a.calibrated.empty())
     outputs.push_back({a.calibrated, text_beside(result->calibrated, a.in, a.calibrated)});
@@ -546,7 +571,7 @@ int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
   CLI::App& make = *app.add_subcommand("reconstruct", "Make a rigged model from a sketch document");
   add_run_flags(make, a);
   make.add_option("-o,--output", a.out,
-                  "the model to write (.glb, or its surface alone: .obj, .stl, .ply)")
+                  "the model to write (.glb; .vrm, an avatar; its surface alone: .obj, .stl, .ply)")
       ->required();
   make.add_option("--grid", a.grid, "cells along a part's longest side (default 100)")
       ->check(CLI::Range(16, 400));

@@ -115,7 +115,7 @@ std::string ply_bytes(const Mesh& mesh) {
 }
 
 std::string model_ending(const std::string& path) {
-  for (const std::string ending : {".glb", ".obj", ".stl", ".ply"}) {
+  for (const std::string ending : {".glb", ".vrm", ".obj", ".stl", ".ply"}) {
     if (path.size() <= ending.size()) continue;
     const auto same = [](char a, char b) { return a == b || a == b - 'a' + 'A'; };
     if (std::equal(path.end() - std::ptrdiff_t(ending.size()), path.end(), ending.begin(), same))

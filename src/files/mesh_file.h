@@ -21,10 +21,11 @@ std::string ply_bytes(const Model& model);
 // The same of a mesh as it is, plain.
 std::string ply_bytes(const Mesh& mesh);
 
-// What the ending of `path` asks for (.glb, .obj, .stl, .ply, in any case); empty where none does.
+// What the ending of `path` asks for (.glb, .vrm, .obj, .stl, .ply, in any case); empty where none
+// does.
 std::string model_ending(const std::string& path);
 
-// The model in the format of that ending. Fails as glb_bytes does.
+// The model in the format of that ending, .vrm apart (vrm.h). Fails as glb_bytes does.
 Result<std::string> model_bytes_for(const std::string& ending, const Model& model);
 
 }  // namespace artisketch

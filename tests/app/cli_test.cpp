@@ -113,7 +113,7 @@ TEST_F(CommandLine, ABadCommandLineIsStatusTwo) {
 
 TEST_F(CommandLine, TheOutputsEndingChoosesItsFormat) {
   EXPECT_EQ(run({"reconstruct", kCircles, "-o", path("c.fbx"), "--grid", "16"}), 2);
-  EXPECT_NE(err.find(".glb, .obj, .stl or .ply"), std::string::npos) << err;
+  EXPECT_NE(err.find(".glb, .vrm, .obj, .stl or .ply"), std::string::npos) << err;
   EXPECT_FALSE(fs::exists(path("c.fbx")));
   for (const char* ending : {"obj", "stl", "ply"})
     EXPECT_EQ(run({"reconstruct", kCircles, "-o", path(std::string("c.") + ending), "--grid", "16",
@@ -438,6 +438,19 @@ TEST_F(CommandLine, AMotionFromElsewhereAndClipsOfTheLibrary) {
   EXPECT_EQ(run({"reconstruct", kHero, "-o", path("h.glb"), "--clip", "trot"}), 2);
   EXPECT_NE(err.find("there are idle, walk, run, jump, wave, sit"), std::string::npos) << err;
   EXPECT_EQ(run({"reconstruct", kHero, "-o", path("h.glb"), "--clip", "walk:pace=2"}), 2);
+}
+
+TEST_F(CommandLine, AnAvatarWantsAPersonAndSomebodyWhoMadeIt) {
+  const std::string kept = path("a.vrm");
+  EXPECT_EQ(run({"reconstruct", kHero, "-o", kept}), 1);
+  EXPECT_NE(err.find("/about: is missing"), std::string::npos) << err;
+  EXPECT_EQ(run({"reconstruct", kHero, "-o", kept, "--rig", "unity"}), 2);
+  std::string text = document();
+  text.insert(text.find("\"camera\""), R"("about":{"authors":["Ann"]},)");
+  text.replace(text.find(R"("parent":null,"offset":[0,1,0])"), 13, R"("parent":"body")");
+  EXPECT_EQ(run({"reconstruct", write("blob.artisketch", text), "-o", kept}), 1);
+  EXPECT_NE(err.find("no person"), std::string::npos) << err;
+  EXPECT_FALSE(fs::exists(kept));
 }
 
 TEST(ProgressLine, SaysStagePartAndTimeLeft) {

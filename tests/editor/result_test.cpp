@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "document/edit.h"
+#include "document/templates.h"
 #include "editor/step.h"
+#include "files/gltf.h"
+#include "model/rig/library.h"
 
 namespace artisketch {
 namespace {
@@ -147,6 +150,27 @@ TEST_F(ResultMode, AMotionDroppedOnTheWindowBecomesAClip) {
   expect_step("Add hello");
   begin();
   h.open("broken.bvh", wave.substr(0, 200));
+  expect_nothing_happened();
+}
+
+TEST_F(ResultMode, EveryAnimationOfAGlbDroppedOnTheWindowBecomesAClip) {
+  Model other;
+  other.skeleton = template_skeleton(Template::human);
+  other.mesh = icosphere(Vec3::Zero(), 1, 0);
+  other.weights.joints.setZero(other.mesh.V.rows(), 4);
+  other.weights.weights.setZero(other.mesh.V.rows(), 4);
+  other.weights.weights.col(0).setOnes();
+  for (const char* name : {"walk", "jump"})
+    other.clips.push_back(*library_clip(other.skeleton, name, {}));
+  const Result<std::string> glb = glb_bytes(other);
+  ASSERT_TRUE(glb);
+  h.open("moves.glb", *glb);
+  ASSERT_EQ(h.document().animations.size(), 2u);
+  EXPECT_EQ(h.document().animations[0].name, "walk");
+  EXPECT_EQ(h.document().animations[1].name, "jump");
+  expect_step("Add moves");
+  begin();
+  h.open("cut.glb", glb->substr(0, 500));
   expect_nothing_happened();
 }
 

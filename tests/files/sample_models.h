@@ -6,6 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "document/templates.h"
+#include "model/rig/body_plan.h"
+#include "model/rig/library.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -80,6 +83,49 @@ inline Model many_joints_model() {
     model.weights.weights.row(v) /= model.weights.weights.row(v).sum();
   }
   model.clips[0] = {"frames", {0}, {rest_pose(model.skeleton)}};  // a single key
+  return model;
+}
+
+// A person with a lock of hair and a parted tail, its arms hanging: a small ball on every joint.
+inline Model person_with_tail_model() {
+  Model model;
+  model.name = "person";
+  model.skeleton = template_skeleton(Template::human);
+  const auto add = [&](const char* name, const char* parent, const Vec3& offset) {
+    model.skeleton.joints.push_back({name, model.skeleton.find(parent), offset, -1, ""});
+  };
+  add("hair", "head", {0, 0.1, -0.1});
+  add("hair_2", "hair", {0, -0.1, -0.1});
+  add("hair_tip", "hair_2", {0, -0.15, 0});
+  add("tail", "hips", {0, 0, -0.1});
+  add("tail_2", "tail", {0, -0.05, -0.15});
+  add("tail_tip", "tail_2", {0, -0.05, -0.15});
+  add("tuft", "tail_2", {0.1, 0, -0.1});
+  add("tuft_tip", "tuft", {0.05, 0, -0.1});
+  const BodyPlan plan = body_plan_of(model.skeleton, rest_positions(model.skeleton), false);
+  Pose hanging = rest_pose(model.skeleton);
+  for (int side = 0; side < 2; ++side)
+    hanging.rotations[plan.arms[std::size_t(side)].upper] =
+        Quat(Eigen::AngleAxisd(side == 0 ? -1.1 : 1.1, Vec3::UnitZ()));
+  const std::vector<Transform> at = posed_joints(model.skeleton, hanging);
+  const Mesh ball = icosphere(Vec3::Zero(), 0.05, 0);
+  const Eigen::Index corners = ball.V.rows(), faces = ball.F.rows(), n = model.skeleton.size();
+  model.mesh.V.resize(n * corners, 3);
+  model.mesh.F.resize(n * faces, 3);
+  model.weights.joints.setZero(n * corners, 4);
+  model.weights.weights.setZero(n * corners, 4);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    Joint& joint = model.skeleton.joints[std::size_t(j)];
+    const Vec3 place = at[std::size_t(j)].translation();
+    joint.offset = place;
+    if (joint.parent >= 0) joint.offset -= at[std::size_t(joint.parent)].translation();
+    model.mesh.V.middleRows(j * corners, corners) = ball.V.rowwise() + place.transpose();
+    model.mesh.F.middleRows(j * faces, faces) = ball.F.array() + int(j * corners);
+    model.weights.joints.col(0).segment(j * corners, corners).setConstant(int(j));
+    model.weights.weights.col(0).segment(j * corners, corners).setOnes();
+  }
+  model.clips.push_back({"frames", {0}, {rest_pose(model.skeleton)}});
+  model.clips.push_back(*library_clip(model.skeleton, "walk", {}));
   return model;
 }
 
