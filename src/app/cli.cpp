@@ -31,6 +31,7 @@
 #include "files/vrm.h"
 #include "model/calibrate/unseen_sides.h"
 #include "model/rig/library.h"
+#include "model/rig/own_skeleton.h"
 #include "model/rig/retarget.h"
 #include "model/rig/rig_profile.h"
 #include "model/stages.h"
@@ -481,6 +482,21 @@ int check_verb(const Arguments& a) {
   return kDone;
 }
 
+// The model that a picture is drawn of, once it is sure where that can go; else the exit status.
+std::optional<Model> model_to_draw(const Arguments& a, const std::vector<Target>& targets,
+                                   int& status) {
+  if (const auto words = wrong_ending(targets))
+    return status = bad_command_line(*words), std::nullopt;
+  if (const auto error = unwritable(targets)) return status = fail(*error), std::nullopt;
+  if (const auto words = overwritten(targets, {a.in}))
+    return status = bad_command_line(*words), std::nullopt;
+  const Result<std::string> bytes = read_file(a.in);
+  if (!bytes) return status = fail(bad_input(bytes.error().text())), std::nullopt;
+  Result<Model> model = read_glb(*bytes, a.in);
+  if (!model) return status = fail(bad_input(model.error().text())), std::nullopt;
+  return std::move(*model);
+}
+
 int render_verb(const Arguments& a) {
   RenderOptions options;
   char extra = 0;
@@ -489,14 +505,9 @@ int render_verb(const Arguments& a) {
       std::max(options.width, options.height) > 8192)
     return bad_command_line("--size " + a.size +
                             ": wanted WIDTHxHEIGHT in pixels, 16 to 8192 each, like 800x600");
-  const std::vector<Target> targets{{"-o", a.out, Kind::picture}};
-  if (const auto words = wrong_ending(targets)) return bad_command_line(*words);
-  if (const auto error = unwritable(targets)) return fail(*error);
-  if (const auto words = overwritten(targets, {a.in})) return bad_command_line(*words);
-  const Result<std::string> bytes = read_file(a.in);
-  if (!bytes) return fail(bad_input(bytes.error().text()));
-  const Result<Model> model = read_glb(*bytes, a.in);
-  if (!model) return fail(bad_input(model.error().text()));
+  int status = kDone;
+  const std::optional<Model> model = model_to_draw(a, {{"-o", a.out, Kind::picture}}, status);
+  if (!model) return status;
   if (a.frame) {
     const int keys = model->clips.empty() ? 0 : int(model->clips[0].poses.size());
     if (a.frame > keys)
@@ -515,19 +526,30 @@ int render_verb(const Arguments& a) {
 
 int sprites_verb(Arguments& a) {
   if (a.json.empty()) a.json = std::filesystem::path(a.out).replace_extension(".json").string();
-  const std::vector<Target> targets{{"-o", a.out, Kind::picture}, {"--json", a.json, Kind::report}};
-  if (const auto words = wrong_ending(targets)) return bad_command_line(*words);
-  if (const auto error = unwritable(targets)) return fail(*error);
-  if (const auto words = overwritten(targets, {a.in})) return bad_command_line(*words);
-  const Result<std::string> bytes = read_file(a.in);
-  if (!bytes) return fail(bad_input(bytes.error().text()));
-  const Result<Model> model = read_glb(*bytes, a.in);
-  if (!model) return fail(bad_input(model.error().text()));
+  int status = kDone;
+  const std::optional<Model> model =
+      model_to_draw(a, {{"-o", a.out, Kind::picture}, {"--json", a.json, Kind::report}}, status);
+  if (!model) return status;
   a.sprites.pitch = radians(a.pitch);
   const Result<SpriteSheet> sheet =
       sprite_sheet(*model, a.sprites, std::filesystem::path(a.out).filename().string());
   if (!sheet) return fail(bad_input(a.in + ": " + sheet.error().text()));
   return write_all({{a.json, sheet->json}, {a.out, png_bytes(sheet->image)}});
+}
+
+int skeleton_verb(const Arguments& a) {
+  const std::vector<Target> targets{{"-o", a.out, Kind::document}};
+  if (const auto words = wrong_ending(targets)) return bad_command_line(*words);
+  if (const auto error = unwritable(targets)) return fail(*error);
+  if (const auto words = overwritten(targets, {a.in})) return bad_command_line(*words);
+  const Result<Motion> motion = read_skeleton(a.in);
+  if (!motion) return fail(motion.error());
+  const Document document = document_with_skeleton(*motion);
+  if (const int status = write_all({{a.out, document_text(document)}})) return status;
+  if (!a.quiet)
+    std::printf("%s: %d joints; add drawings in the editor\n", a.out.c_str(),
+                document.skeleton.size());
+  return kDone;
 }
 
 void add_run_flags(CLI::App& verb, Arguments& a) {
@@ -561,13 +583,7 @@ int unknown_words(const CLI::App& app) {
                           " --help lists what it takes");
 }
 
-int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
-  if (const std::string fault = verb_fault(arguments); !fault.empty())
-    return bad_command_line(fault);
-  CLI::App app{"ArtiSketch: from a few drawings of a character to a 3D model that moves.",
-               "artisketch"};
-  app.set_version_flag("--version", "ArtiSketch " ARTISKETCH_VERSION);
-  app.require_subcommand(1);
+CLI::App& add_reconstruct(CLI::App& app, Arguments& a) {
   CLI::App& make = *app.add_subcommand("reconstruct", "Make a rigged model from a sketch document");
   add_run_flags(make, a);
   make.add_option("-o,--output", a.out,
@@ -603,31 +619,36 @@ int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
                   "a folder for what is found on the way: meshes (.ply), curves (.obj), "
                   "fields (.nrrd)");
   make.add_flag("--visual-hull", a.visual_hull, "stop after carving: the plain hull of each part");
-  CLI::App& pose = *app.add_subcommand("calibrate", "Refine a document's poses and write it again");
-  add_run_flags(pose, a);
-  pose.add_option("-o,--output", a.out, "the calibrated document (.artisketch)")->required();
-  CLI::App& check = *app.add_subcommand("check", "Check a document and name its faults");
-  check.add_option("IN", a.in, "the sketch document (.artisketch)")->required();
-  check.add_flag("--quiet", a.quiet, "print nothing but errors");
-  CLI::App& draw = *app.add_subcommand("render", "Draw a model to a picture");
-  draw.add_option("IN", a.in, "the model (.glb)")->required();
-  draw.add_option("-o,--output", a.out, "the picture (.png)")->required();
-  draw.add_option("--frame", a.frame, "the pose of drawing N (default: the rest pose)")
-      ->check(CLI::Range(1, 100000));
-  // Not CLI::Range, which lets nan through: no comparison with it holds.
-  const CLI::Validator angle(
+  return make;
+}
+
+// Not CLI::Range, which lets nan through: no comparison with it holds.
+CLI::Validator degrees_of_an_angle() {
+  return CLI::Validator(
       [](const std::string& text) {
         double degrees = 0;
         const bool number = CLI::detail::lexical_cast(text, degrees);
         return number && std::abs(degrees) <= 1e6 ? "" : text + ": wanted a number of degrees";
       },
       "DEGREES");
-  draw.add_option("--yaw", a.yaw, "degrees about the vertical")->check(angle);
-  draw.add_option("--pitch", a.pitch, "degrees about the horizontal")->check(angle);
+}
+
+CLI::App& add_render(CLI::App& app, Arguments& a) {
+  CLI::App& draw = *app.add_subcommand("render", "Draw a model to a picture");
+  draw.add_option("IN", a.in, "the model (.glb)")->required();
+  draw.add_option("-o,--output", a.out, "the picture (.png)")->required();
+  draw.add_option("--frame", a.frame, "the pose of drawing N (default: the rest pose)")
+      ->check(CLI::Range(1, 100000));
+  draw.add_option("--yaw", a.yaw, "degrees about the vertical")->check(degrees_of_an_angle());
+  draw.add_option("--pitch", a.pitch, "degrees about the horizontal")->check(degrees_of_an_angle());
   draw.add_option("--size", a.size, "WIDTHxHEIGHT in pixels (default 800x800)");
   draw.add_flag("--clear", a.clear, "nothing behind the model: a picture with transparency");
   draw.add_option("--turntable", a.turntable, "N pictures round the model, side by side")
       ->check(CLI::Range(1, 64));
+  return draw;
+}
+
+CLI::App& add_sprites(CLI::App& app, Arguments& a) {
   CLI::App& cut = *app.add_subcommand("sprites", "Draw a clip of a model as a sheet of sprites");
   cut.add_option("IN", a.in, "the model (.glb)")->required();
   cut.add_option("-o,--output", a.out, "the sheet (.png)")->required();
@@ -643,7 +664,31 @@ int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
       ->check(CLI::Range(1, 60));
   cut.add_option("--padding", a.sprites.padding, "pixels between sprites (default 0)")
       ->check(CLI::Range(0, 64));
-  cut.add_option("--pitch", a.pitch, "degrees that it is seen from above")->check(angle);
+  cut.add_option("--pitch", a.pitch, "degrees that it is seen from above")
+      ->check(degrees_of_an_angle());
+  return cut;
+}
+
+int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
+  if (const std::string fault = verb_fault(arguments); !fault.empty())
+    return bad_command_line(fault);
+  CLI::App app{"ArtiSketch: from a few drawings of a character to a 3D model that moves.",
+               "artisketch"};
+  app.set_version_flag("--version", "ArtiSketch " ARTISKETCH_VERSION);
+  app.require_subcommand(1);
+  const CLI::App& make = add_reconstruct(app, a);
+  CLI::App& pose = *app.add_subcommand("calibrate", "Refine a document's poses and write it again");
+  add_run_flags(pose, a);
+  pose.add_option("-o,--output", a.out, "the calibrated document (.artisketch)")->required();
+  CLI::App& check = *app.add_subcommand("check", "Check a document and name its faults");
+  check.add_option("IN", a.in, "the sketch document (.artisketch)")->required();
+  check.add_flag("--quiet", a.quiet, "print nothing but errors");
+  CLI::App& own = *app.add_subcommand("skeleton", "Begin a document with a skeleton of one's own");
+  own.add_option("IN", a.in, "a rig or a motion (.glb, .vrm, .bvh)")->required();
+  own.add_option("-o,--output", a.out, "the document (.artisketch)")->required();
+  own.add_flag("--quiet", a.quiet, "print nothing but errors");
+  add_render(app, a);
+  const CLI::App& cut = add_sprites(app, a);
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ExtrasError&) {
@@ -654,6 +699,7 @@ int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
   if (make.parsed()) return reconstruct_verb(a);
   if (pose.parsed()) return calibrate_verb(a);
   if (check.parsed()) return check_verb(a);
+  if (own.parsed()) return skeleton_verb(a);
   if (cut.parsed()) return sprites_verb(a);
   return render_verb(a);
 }

@@ -53,7 +53,7 @@ std::string verb_fault(const std::vector<std::string>& arguments) {
   const std::string near = meant(word, verbs);
   return "artisketch " + word + ": there is no such verb" +
          (near.empty() ? "" : "; did you mean " + near + "?") + (near.empty() ? ";" : "") +
-         " The verbs are reconstruct, calibrate, check, render and sprites";
+         " The verbs are reconstruct, calibrate, check, render, sprites and skeleton";
 }
 
 }  // namespace artisketch

@@ -88,11 +88,7 @@ class MotionReader {
 
   std::vector<Motion> read(const std::string& name) {
     require(!gltf_.animations.empty(), "holds no animation");
-    find_tree();
-    find_rest();
-    std::vector<std::vector<Track>> all;
-    for (const tinygltf::Animation& animation : gltf_.animations) all.push_back(tracks(animation));
-    find_joints(all);
+    std::vector<std::vector<Track>> all = find_all();
     std::vector<Motion> motions;
     for (std::size_t i = 0; i < all.size(); ++i) {
       std::erase_if(all[i], [&](const Track& track) { return !matters_[track.node]; });
@@ -107,14 +103,34 @@ class MotionReader {
     return motions;
   }
 
+  Motion skeleton(const std::string& name) {
+    find_all();
+    Motion motion;
+    motion.name = name;
+    motion.skeleton = skeleton_;
+    motion.step = kCoarsest;
+    motion.poses = {rest_pose(skeleton_)};
+    return motion;
+  }
+
  private:
+  // The joints, and what moves them: the tracks of each animation.
+  std::vector<std::vector<Track>> find_all() {
+    find_tree();
+    find_rest();
+    std::vector<std::vector<Track>> all;
+    for (const tinygltf::Animation& animation : gltf_.animations) all.push_back(tracks(animation));
+    find_joints(all);
+    return all;
+  }
+
   // A small file can name the same numbers again and again.
   void count(std::size_t numbers) {
     require(numbers <= kMostNumbers - counted_, "has more keys than anyone needs");
     counted_ += numbers;
   }
 
-  // Each node's parent, and an order that begins with the roots.
+  // Each node's parent, and an order in which each is followed by what hangs from it.
   void find_tree() {
     const std::size_t nodes = gltf_.nodes.size();
     require(nodes <= kMostNodes, "has too many nodes");
@@ -125,10 +141,16 @@ class MotionReader {
         require(parent_[std::size_t(child)] < 0, "has a node below two others");
         parent_[std::size_t(child)] = int(n);
       }
-    for (std::size_t n = 0; n < nodes; ++n)
-      if (parent_[n] < 0) order_.push_back(int(n));
-    for (std::size_t i = 0; i < order_.size(); ++i)
-      for (const int child : gltf_.nodes[std::size_t(order_[i])].children) order_.push_back(child);
+    std::vector<int> open;
+    for (std::size_t n = nodes; n-- > 0;)
+      if (parent_[n] < 0) open.push_back(int(n));
+    while (!open.empty()) {
+      const int n = open.back();
+      open.pop_back();
+      order_.push_back(n);
+      const std::vector<int>& children = gltf_.nodes[std::size_t(n)].children;
+      open.insert(open.end(), children.rbegin(), children.rend());
+    }
     require(order_.size() == nodes, "has nodes that hang in a ring");
   }
 
@@ -253,7 +275,7 @@ class MotionReader {
       if (wanted[n]) nodes_.push_back(n);
       if (wanted[n] && (parent_[n] < 0 || above[parent_[n]] < 0)) ++roots;
     }
-    require(!nodes_.empty(), "holds no animation that moves joints");
+    require(!nodes_.empty(), "holds no joints");
     require(nodes_.size() <= std::size_t(kMostJoints), "has more than a thousand joints");
     if (roots > 1) nodes_.insert(nodes_.begin(), -1);  // the scene's own origin carries them
     for (std::size_t j = 0; j < nodes_.size(); ++j)
@@ -358,6 +380,12 @@ Result<std::vector<Motion>> parse_glb_motions(std::string_view bytes, const std:
                                               const std::string& file) {
   return read_gltf(bytes, file, "; wanted a .glb or .vrm with animations",
                    [&] { return MotionReader(bytes).read(name); });
+}
+
+Result<Motion> parse_glb_skeleton(std::string_view bytes, const std::string& name,
+                                  const std::string& file) {
+  return read_gltf(bytes, file, "; wanted a .glb or .vrm with a skeleton",
+                   [&] { return MotionReader(bytes).skeleton(name); });
 }
 
 }  // namespace artisketch

@@ -28,6 +28,13 @@ Result<std::vector<Motion>> parse_motions(std::string_view bytes, const std::str
   return motions;
 }
 
+Result<Motion> read_skeleton(const std::string& path) {
+  const Result<std::string> bytes = read_file(path);
+  if (!bytes) return bad_input(bytes.error().text());
+  const std::string name = std::filesystem::path(path).stem().string();
+  return is_glb(*bytes) ? parse_glb_skeleton(*bytes, name, path) : parse_bvh(*bytes, name, path);
+}
+
 Result<std::vector<Motion>> read_motions(const std::string& path) {
   const Result<std::string> bytes = read_file(path);
   if (!bytes) return bad_input(bytes.error().text());

@@ -20,11 +20,18 @@ namespace artisketch {
 Result<std::vector<Motion>> parse_glb_motions(std::string_view bytes, const std::string& name,
                                               const std::string& file);
 
+// Its joints alone, in one pose: as they are bound.
+Result<Motion> parse_glb_skeleton(std::string_view bytes, const std::string& name,
+                                  const std::string& file);
+
 bool is_motion(std::string_view bytes);  // by how it begins
 
 // A BVH's one motion, or a glTF's: one or more.
 Result<std::vector<Motion>> parse_motions(std::string_view bytes, const std::string& name,
                                           const std::string& file);
+// One motion's skeleton, whether or not it moves: of a GLB without animations the bind pose is the
+// one pose there is.
+Result<Motion> read_skeleton(const std::string& path);
 Result<std::vector<Motion>> read_motions(const std::string& path);  // named after the file
 
 }  // namespace artisketch

@@ -14,6 +14,7 @@
 
 #include "app/progress_line.h"
 #include "files/bytes.h"
+#include "files/document_file.h"
 
 namespace artisketch {
 namespace {
@@ -226,7 +227,7 @@ TEST_F(CommandLine, AWrongWordIsAnsweredWithTheRightOne) {
   } cases[] = {
       {{"recon", "x.artisketch"}, "no such verb; did you mean reconstruct?"},
       {{"chekc", "x"}, "did you mean check?"},
-      {{"paint"}, "The verbs are reconstruct, calibrate, check, render and sprites"},
+      {{"paint"}, "The verbs are reconstruct, calibrate, check, render, sprites and skeleton"},
       {{kCircles}, "reconstruct "},
       {{"version"}, "did you mean artisketch --version?"},
       {{"reconstruct", kCircles, "-o", "x.glb", "--gird", "64"},
@@ -438,6 +439,23 @@ TEST_F(CommandLine, AMotionFromElsewhereAndClipsOfTheLibrary) {
   EXPECT_EQ(run({"reconstruct", kHero, "-o", path("h.glb"), "--clip", "trot"}), 2);
   EXPECT_NE(err.find("there are idle, walk, run, jump, wave, sit"), std::string::npos) << err;
   EXPECT_EQ(run({"reconstruct", kHero, "-o", path("h.glb"), "--clip", "walk:pace=2"}), 2);
+}
+
+TEST_F(CommandLine, ARigOfOnesOwnBeginsADocument) {
+  ASSERT_EQ(run({"reconstruct", kHero, "-o", path("h.glb"), "--grid", "16", "--no-texture"}), 0)
+      << err;
+  ASSERT_EQ(run({"skeleton", path("h.glb"), "-o", path("own.artisketch")}), 0) << err;
+  const Result<Document> own = read_document(path("own.artisketch")), hero = read_document(kHero);
+  ASSERT_TRUE(own) << own.error().text();
+  ASSERT_TRUE(hero);
+  ASSERT_EQ(own->skeleton.size(), hero->skeleton.size());
+  for (int j = 0; j < own->skeleton.size(); ++j) {
+    EXPECT_EQ(own->skeleton.joints[j].name, hero->skeleton.joints[j].name);
+    EXPECT_EQ(own->skeleton.joints[j].mirror, hero->skeleton.joints[j].mirror);
+    EXPECT_LT((own->skeleton.joints[j].offset - hero->skeleton.joints[j].offset).norm(), 1e-5);
+  }
+  EXPECT_EQ(run({"skeleton", kHero, "-o", path("no.artisketch")}), 1);
+  EXPECT_FALSE(fs::exists(path("no.artisketch")));
 }
 
 TEST_F(CommandLine, AnAvatarWantsAPersonAndSomebodyWhoMadeIt) {

@@ -369,6 +369,16 @@ BodyPlan body_plan_of(const Skeleton& skeleton, const std::vector<Vec3>& at, boo
   return Finder(skeleton, at).find(shapes);
 }
 
+std::optional<Vec3> standing_direction(const BodyPlan& plan, const std::vector<Vec3>& at) {
+  Vec3 up = Vec3::Zero();
+  for (const LimbJoints& leg : plan.legs)
+    if (leg.upper >= 0 && std::max(leg.end, leg.lower) >= 0)
+      up += at[leg.upper] - at[leg.end >= 0 ? leg.end : leg.lower];
+  if (plan.trunk.size() > 1) up += at[plan.trunk.back()] - at[plan.trunk.front()];
+  constexpr double kNothing = 1e-9;
+  return up.norm() > kNothing ? std::optional(Vec3(up.normalized())) : std::nullopt;
+}
+
 Vec3 forward_of(const BodyPlan& plan, const std::vector<Vec3>& at) {
   Vec3 side = Vec3::Zero();
   for (const auto* pair : {&plan.legs, &plan.arms})

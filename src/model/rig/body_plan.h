@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,9 @@ struct BodyPlan {
 // By the joints' names; what these leave open, by the tree's shape and by `at`, where the joints
 // stand in some pose, y up. Only with `shapes` whole limbs are looked for by shape alone.
 BodyPlan body_plan_of(const Skeleton& skeleton, const std::vector<Vec3>& at, bool shapes);
+
+// From the feet to the hips and on to the head; nothing where neither is known.
+std::optional<Vec3> standing_direction(const BodyPlan& plan, const std::vector<Vec3>& at);
 
 // Which way the figure looks, level; +z where nothing shows it.
 Vec3 forward_of(const BodyPlan& plan, const std::vector<Vec3>& at);

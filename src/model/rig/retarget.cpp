@@ -55,16 +55,6 @@ std::vector<Vec3> places(const std::vector<Transform>& posed) {
   return at;
 }
 
-// From the feet to the hips and on to the head; nothing where neither is known.
-std::optional<Vec3> standing_direction(const BodyPlan& figure, const std::vector<Vec3>& at) {
-  Vec3 up = Vec3::Zero();
-  for (const LimbJoints& leg : figure.legs)
-    if (leg.upper >= 0 && std::max(leg.end, leg.lower) >= 0)
-      up += at[leg.upper] - at[leg.end >= 0 ? leg.end : leg.lower];
-  if (figure.trunk.size() > 1) up += at[figure.trunk.back()] - at[figure.trunk.front()];
-  return up.norm() > kNothing ? std::optional(Vec3(up.normalized())) : std::nullopt;
-}
-
 // Whether z is up: the figure stands along it, for more of the time than along y. Where its joints
 // say nothing, it is taller along it.
 bool stands_along_z(const Source& source, const BodyPlan& figure) {
