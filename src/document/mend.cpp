@@ -113,7 +113,9 @@ Polyline mended(const Polyline& line) {
   const auto outside = [&](const Vec2& p) { return distance.distance(p); };
   if (const std::optional<Polyline> whole = around(box, outside); whole && !self_crossing(*whole))
     return *whole;
-  return {{box.min(), {box.max().x(), box.min().y()}, box.max()}, true};
+  // What has no inside of its own gets one of a pixel: a corner of no width would lie on itself.
+  const Vec2 a = box.min(), c = a + Vec2(box.sizes().cwiseMax(1.0));
+  return {{a, {c.x(), a.y()}, c}, true};
 }
 
 std::optional<Polyline> joined(const Polyline& a, const Polyline& b, double reach) {

@@ -25,6 +25,36 @@ std::string other_side(const std::string& side) {
   return side == ".L" ? ".R" : side == ".R" ? ".L" : side;
 }
 
+// How many bytes the character at `at` takes in UTF-8 (RFC 3629, section 4); 0 where it is none.
+std::size_t character_size(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? unsigned(static_cast<unsigned char>(text[i])) : 0u;
+  };
+  const unsigned first = byte(at);
+  const std::size_t size = first < 0x80                     ? 1
+                           : first >= 0xC2 && first <= 0xDF ? 2
+                           : first >= 0xE0 && first <= 0xEF ? 3
+                           : first >= 0xF0 && first <= 0xF4 ? 4
+                                                            : 0;
+  // Neither longer than needed, nor half of a pair of UTF-16, nor beyond the last character.
+  const unsigned low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+  const unsigned high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+  for (std::size_t i = 1; i < size; ++i)
+    if (byte(at + i) < (i == 1 ? low : 0x80) || byte(at + i) > (i == 1 ? high : 0xBF)) return 0;
+  return size;
+}
+
+// Names that a file can hold: two that differ in what is no text would be alike there.
+std::string as_text(const std::string& bytes) {
+  std::string text;
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t size = character_size(bytes, at);
+    text += size ? bytes.substr(at, size) : "\xEF\xBF\xBD";
+    at += std::max<std::size_t>(size, 1);
+  }
+  return text;
+}
+
 // Every pose of the document: the frames' and the clips'.
 template <class F>
 void each_pose(Document& document, const F& f) {
@@ -204,7 +234,7 @@ Document with_joint_renamed(Document document, int joint, const std::string& wor
   Skeleton& skeleton = document.skeleton;
   const std::size_t first = words.find_first_not_of(' ');
   if (first == words.npos) return document;
-  std::string name = words.substr(first, words.find_last_not_of(' ') + 1 - first);
+  std::string name = as_text(words.substr(first, words.find_last_not_of(' ') + 1 - first));
   const std::string old = skeleton.joints[joint].name, side = side_of(old);
   const int mirror = skeleton.joints[joint].mirror;
   name = unique_joint_name(skeleton, without_side(name) + side, joint);

@@ -59,6 +59,19 @@ TEST(Mend, NoScribbleCrossesItselfAfterwards) {
   EXPECT_NEAR(std::abs(signed_area(whole)), 2500, 60);
 }
 
+// A line that goes there and back has no inside: it gets a small one.
+TEST(Mend, WhatLiesOnItselfGetsAnInside) {
+  for (const Vec2& along : {Vec2(10, 0), Vec2(0, 10), Vec2(0, 0), Vec2(1e-7, 0)}) {
+    const Vec2 a(20, 30);
+    const Polyline there_and_back{{a, a + along, a + along / 2, a + along / 4}, true};
+    const Polyline whole = mended(there_and_back);
+    if (!self_crossing(there_and_back)) continue;
+    EXPECT_TRUE(whole.closed);
+    EXPECT_FALSE(self_crossing(whole)) << along.transpose();
+    EXPECT_GE(whole.points.size(), 3u);
+  }
+}
+
 TEST(Join, OverlappingOutlinesBecomeTheOneAroundBoth) {
   const auto both = joined(square(0, 0, 40), square(30, 30, 40), 12);
   ASSERT_TRUE(both);

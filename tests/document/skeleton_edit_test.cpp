@@ -1,6 +1,9 @@
 #include "document/skeleton_edit.h"
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -168,6 +171,29 @@ TEST(SkeletonEdit, PairsMoveTogetherAndGetOneLength) {
     EXPECT_NEAR(equal.skeleton.joints[shin].offset.norm(), 0.5, 1e-12);
     EXPECT_NEAR(equal.skeleton.joints[other].offset.norm(), 0.5, 1e-12);
   }
+}
+
+// Whatever is typed: files hold text alone, and names that are not would come back alike.
+TEST(SkeletonEdit, NamesAreTextAndDifferAsText) {
+  const std::string replaced = "\xEF\xBF\xBD";
+  Document document = person();
+  document = with_joint_renamed(std::move(document), 1, "\xFF");
+  document = with_joint_renamed(std::move(document), 2, "\xFE");
+  EXPECT_EQ(document.skeleton.joints[1].name, replaced);
+  EXPECT_EQ(document.skeleton.joints[2].name, replaced + " 2");
+  // Of other alphabets nothing is lost; half a character, an overlong one and half a pair are none.
+  for (const auto& [typed, name] : std::vector<std::pair<std::string, std::string>>{
+           {"Kn\xC3\xB6"
+            "chel",
+            "Kn\xC3\xB6"
+            "chel"},
+           {"\xE2\x82\xAC\xF0\x9F\xA6\x8A", "\xE2\x82\xAC\xF0\x9F\xA6\x8A"},
+           {"a\xC3", "a" + replaced},
+           {"\xC0\xAF", replaced + replaced},
+           {"\xED\xA0\x80", replaced + replaced + replaced},
+           {"\xF4\x90\x80\x80", replaced + replaced + replaced + replaced}})
+    EXPECT_EQ(with_joint_renamed(document, 3, typed).skeleton.joints[3].name.substr(0, name.size()),
+              name);
 }
 
 TEST(SkeletonEdit, AScaledFigureIsTheSameFigure) {
