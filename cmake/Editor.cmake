@@ -66,6 +66,7 @@ file(GLOB_RECURSE modes CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
      "${PROJECT_SOURCE_DIR}/src/editor/modes/*.cpp")
 add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/ui/fonts.cpp
+  src/editor/ui/keys.cpp
   src/editor/ui/menu.cpp
   src/editor/ui/theme.cpp
   src/editor/ui/touch.cpp

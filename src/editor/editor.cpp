@@ -15,6 +15,7 @@
 #include "editor/session/jobs.h"
 #include "editor/session/live.h"
 #include "editor/shell/panels.h"
+#include "editor/ui/keys.h"
 #include "editor/ui/ui.h"
 
 namespace artisketch {
@@ -181,6 +182,7 @@ void Editor::frame(float width, float height, float pixel_ratio) {
   question_sheet(app, width, height);
 
   for (const std::string_view command : std::exchange(app.asked, {})) perform(app, command);
+  if (!asking && app.question && app.question->asks_path) await_text_field();
   keep_live(app);
   autosave(app);
   if (!app.toasts.empty()) parts_->message = app.toasts.back().words;

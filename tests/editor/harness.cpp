@@ -9,6 +9,7 @@
 
 #include "app/job_bytes.h"
 #include "editor/ui/fonts.h"
+#include "editor/ui/keys.h"
 #include "files/bytes.h"
 #include "files/image_file.h"
 #include "files/inside_images.h"
@@ -282,7 +283,7 @@ void Harness::frame(double seconds) {
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = float(seconds);
   io.DisplaySize = {size.width, size.height};
-  ImGui::NewFrame();
+  begin_frame();
   editor_->touch(std::exchange(fingers_, {}));
   editor_->frame(size.width, size.height, 1);
   ImGui::Render();
@@ -389,6 +390,16 @@ void Harness::key(ImGuiKey key, int modifiers) {
   for (const int modifier : {ImGuiMod_Ctrl, ImGuiMod_Shift, ImGuiMod_Alt, ImGuiMod_Super})
     if (modifiers & modifier) io.AddKeyEvent(ImGuiKey(modifier), false);
   frames(2);
+}
+
+void Harness::keys_at_once(const std::vector<ImGuiKey>& keys) {
+  ImGuiIO& io = ImGui::GetIO();
+  for (const ImGuiKey key : keys) {
+    io.AddKeyEvent(key, true);
+    if (key >= ImGuiKey_A && key <= ImGuiKey_Z)
+      io.AddInputCharacter(unsigned('a' + key - ImGuiKey_A));
+    io.AddKeyEvent(key, false);
+  }
 }
 
 void Harness::hold(ImGuiKey key, bool down) {

@@ -154,6 +154,7 @@ class Harness {
 
   // The keyboard: with modifiers, ImGuiMod_Ctrl | ImGuiMod_Shift.
   void key(ImGuiKey key, int modifiers = 0);
+  void keys_at_once(const std::vector<ImGuiKey>& keys);  // pressed and let go before the next frame
   void hold(ImGuiKey key, bool down);
   void type(const std::string& text);
 

@@ -103,6 +103,24 @@ TEST_F(SkeletonMode, RenameTakesTheKeyboardToTheName) {
   expect_step("Rename Hand L");
 }
 
+// As they come where a frame takes long: letters that are commands elsewhere, before the field is
+// there.
+TEST_F(SkeletonMode, LettersTypedRightAfterRenameGoToTheName) {
+  choose("Hand L");
+  h.keys_at_once({ImGuiKey_F2, ImGuiKey_W, ImGuiKey_X, ImGuiKey_L, ImGuiKey_Enter});
+  h.frames(20);
+  EXPECT_GE(joint(h, "wxl.L"), 0);
+  expect_step("Rename Hand L");
+}
+
+TEST_F(SkeletonMode, KeysOfOneFrameActInTheirOrder) {
+  choose("Hand L");
+  h.keys_at_once({ImGuiKey_3, ImGuiKey_2, ImGuiKey_F2, ImGuiKey_P, ImGuiKey_Enter, ImGuiKey_3});
+  h.frames(20);
+  EXPECT_GE(joint(h, "p.L"), 0);
+  EXPECT_EQ(h.state().mode, "pose");
+}
+
 TEST_F(SkeletonMode, AnEmptyNameChangesNothing) {
   choose("Hand L");
   h.key(ImGuiKey_F2);

@@ -12,6 +12,7 @@
 
 #include "editor/editor.h"
 #include "editor/ui/fonts.h"
+#include "editor/ui/keys.h"
 #include "editor/ui/theme.h"
 
 namespace artisketch {
@@ -145,7 +146,7 @@ void Window::draw(Editor& editor) {
   // The back end asks SDL for the pointer on the whole screen, which goes stale on X servers that
   // send no raw events (VNC, Xvfb).
   if (pointer_) ImGui::GetIO().AddMousePosEvent(pointer_->first, pointer_->second);
-  ImGui::NewFrame();
+  begin_frame();
   const Fingers fingers = touch_.take();
   if (fingers.tapped == 1) {  // beside a pen
     ImGuiIO& io = ImGui::GetIO();
@@ -173,7 +174,7 @@ void Window::draw(Editor& editor) {
     painter_.paint(data, pixels_wide, pixels_high);
     SDL_GL_SwapWindow(window_);
   }
-  // Fast typing: ImGui takes one key a frame, and keeps the others for the next.
+  // Fast typing: a frame takes one key, and leaves the others for the next.
   stirred_ = !ImGui::GetCurrentContext()->InputEventsQueue.empty();
 }
 

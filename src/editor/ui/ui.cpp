@@ -4,6 +4,8 @@
 
 #include <imgui_internal.h>
 
+#include "editor/ui/keys.h"
+
 namespace artisketch {
 namespace {
 
@@ -357,7 +359,10 @@ bool text_field(const std::string& label, const Rect& place, std::string& text, 
   record(label, place);
   const std::string name = "##" + label;
   // SetKeyboardFocusHere() does nothing in windows without ImGui's own navigation.
-  if (takes_keys) ImGui::ActivateItemByID(ImGui::GetID(name.c_str()));
+  if (takes_keys) {
+    ImGui::ActivateItemByID(ImGui::GetID(name.c_str()));
+    await_text_field();
+  }
   ImGui::SetCursorScreenPos(place.min());
   ImGui::PushFont(font(Font::body));
   const float padding = (place.h - ImGui::GetFontSize()) / 2;

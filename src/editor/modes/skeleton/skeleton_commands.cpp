@@ -7,6 +7,7 @@
 #include "editor/modes/mode_commands.h"
 #include "editor/session/app.h"
 #include "editor/ui/icons.h"
+#include "editor/ui/keys.h"
 
 namespace artisketch {
 namespace {
@@ -65,7 +66,11 @@ std::vector<Command> skeleton_commands() {
        .key = ImGuiKey_F2,
        .in_menu = true,
        .available = is_chosen,
-       .run = [](App& app) { app.session.naming.begin = true; }},
+       .run =
+           [](App& app) {
+             app.session.naming.begin = true;
+             await_text_field();
+           }},
       {.id = "delete_joint",
        .name = "Delete",
        .icon = icon::kDelete,
