@@ -13,6 +13,11 @@ def middle(window, label):
     return [x + width / 2, y + height / 2]
 
 
+def is_large(window):
+    width, height = place(window, "Turn the model")[2:]
+    return width > 700 and height > 500
+
+
 def panels_are_as_wide_as_they_are_dragged():
     window = Window("1440x900", examples / "hero/hero.artisketch")
     for edge, way, axis in [("Model edge", [-120, 0], 0), ("Inspector edge", [-60, 0], 0),
@@ -37,11 +42,10 @@ def on_tablets_model_and_drawing_change_places():
     window = Window("820x1180", examples / "hero/hero.artisketch")
     window.click("Result mode")
     window.click("Enlarge the model")
-    x, y, width, height = place(window, "Turn the model")
-    assert width > 700 and height > 500, "the model is large"
+    window.wait(lambda: is_large(window), why="the large model")
     window.picture("tablet-swapped")
     window.click("Enlarge the drawing")
-    assert place(window, "Turn the model")[2] < 300
+    window.wait(lambda: not is_large(window), why="the small model")
     # A drag there turns the model and leaves it where it is.
     x, y = middle(window, "Turn the model")
     window.drag([[x, y], [x + 30, y], [x + 60, y]])

@@ -6,13 +6,14 @@
 namespace artisketch {
 
 struct Layout {
-  bool tablet = false;                    // held upright: everything for fingers
-  bool swapped = false;                   // of a tablet: the drawing is the inset
-  bool compact = false;                   // a small screen: icons without words, one line each
-  Rect top, modes;                        // modes: the tablet's second row
-  Rect rail;                              // tools; floats on tablets
+  bool tablet = false;   // held upright: everything for fingers
+  bool inset = false;    // model and drawing share a place, one lies over the other
+  bool swapped = false;  // of those: the drawing is the inset
+  bool compact = false;  // a small screen: icons without words, one line each
+  Rect top, modes;       // modes: the tablet's second row
+  Rect rail;             // tools; floats on tablets
   Rect canvas, canvas_head, canvas_foot;  // head and foot are bands beside the drawing's place
-  Rect view, view_head, view_foot;        // the model; an inset on tablets
+  Rect view, view_head, view_foot;        // the model
   Rect inspector;                         // the parts sheet on tablets
   Rect strip, status;
 };

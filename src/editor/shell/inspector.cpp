@@ -70,7 +70,8 @@ void legend(Rect row, bool hidden) {
   draw().AddTriangleFilled({row.x + 5, row.centre().y - 4}, {row.x + 0.5f, row.centre().y + 4},
                            {row.x + 9.5f, row.centre().y + 4}, t.warning);
   row.cut_left(14);
-  entry(hidden ? "off" : "does not fit");
+  const std::string off = "does not fit";
+  entry(text_width(Font::small, off) + 1 < row.w ? off.c_str() : "off");
 }
 
 // Parts by drawings: what is outlined, missing, off; a click goes there.
@@ -167,8 +168,8 @@ void part_chips(App& app, Rect place) {
       "Parts" +
       (app.has_frame() ? " in " + drawing_words(document, app.session.selection.frame) : "");
   write(head.cut_left(text_width(Font::title, title) + 12), Font::title, t.text, title);
-  write(head, Font::caption, t.muted,
-        std::to_string(count.outlined) + " of " + std::to_string(count.all));
+  const std::string counted = std::to_string(count.outlined) + " of " + std::to_string(count.all);
+  if (text_width(Font::caption, counted) < head.w) write(head, Font::caption, t.muted, counted);
   if (app.view.all_drawings) {
     matrix(app, place);
     return;

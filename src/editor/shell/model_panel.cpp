@@ -205,10 +205,16 @@ void nothing_yet(const App& app, const Rect& place) {
   write_icon(column.cut_top(28).centre(), IconSize::large, t.disabled, icon::kCubeOutline);
   column.cut_top(8);
   const bool outlines = !drawn_joints(app.document()).empty();
-  write(column.cut_top(20), Font::body, t.muted,
-        outlines ? "Reconstruct makes the model" : "The model appears here", Align::centre);
-  write(column.cut_top(18), Font::caption, t.disabled, outlines ? "" : "once a part is outlined",
-        Align::centre);
+  const std::string words = outlines ? "Reconstruct makes the model" : "The model appears here";
+  const std::size_t half = words.rfind(' ', words.size() / 2 + 2);
+  if (text_width(Font::body, words) < column.w) {
+    write(column.cut_top(20), Font::body, t.muted, words, Align::centre);
+  } else {
+    write(column.cut_top(20), Font::body, t.muted, words.substr(0, half), Align::centre);
+    write(column.cut_top(20), Font::body, t.muted, words.substr(half + 1), Align::centre);
+  }
+  if (!outlines)
+    write(column.cut_top(18), Font::caption, t.disabled, "once a part is outlined", Align::centre);
 }
 
 }  // namespace
@@ -216,7 +222,7 @@ void nothing_yet(const App& app, const Rect& place) {
 void model_panel(App& app, const Layout& layout, float pixel_ratio) {
   const Theme& t = theme();
   Rect place = layout.view;
-  const bool inset = layout.tablet && !layout.swapped;
+  const bool inset = layout.inset && !layout.swapped;
   const float radius = inset ? kRadiusPanel : 0;
   const Panel panel("Model", place, t.canvas, inset ? Panel::Layer::floating : Panel::Layer::base,
                     radius);
@@ -246,12 +252,13 @@ void model_panel(App& app, const Layout& layout, float pixel_ratio) {
 
   const bool grabbed = use_tool(app, projection, pose, shift);
   Rect turning = place;
-  if (!layout.tablet)
+  const bool bands = !layout.tablet && !inset;
+  if (bands)
     turning = {place.x, layout.view_head.bottom(), place.w,
                layout.view_foot.y - layout.view_head.bottom()};
   const bool tapped = navigate(app.view.orbit, app.fingers, projection, turning, !grabbed);
   paint_axes(projection,
-             {place.right() - 38, layout.tablet ? place.bottom() - 40 : layout.view_foot.y - 16});
+             {place.right() - 38, bands ? layout.view_foot.y - 16 : place.bottom() - 40});
   if (inset) {
     draw().AddRect(place.min(), place.max(), t.line, kRadiusPanel);
     write_icon({place.right() - 22, place.y + 22}, IconSize::normal, t.text, icon::kFullscreen);
@@ -262,7 +269,7 @@ void model_panel(App& app, const Layout& layout, float pixel_ratio) {
     return;
   }
   model_head(app, layout);
-  if (!layout.tablet) model_foot(app, layout.view_foot);
+  if (bands) model_foot(app, layout.view_foot);
 }
 
 }  // namespace artisketch

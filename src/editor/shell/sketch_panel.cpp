@@ -64,7 +64,18 @@ double share_under(const std::vector<Rect>& places, const std::vector<Vec2>& poi
   return double(under) / double(points.size());
 }
 
-// On tablets tools and model float over the canvas: the drawing goes where they cover least of the
+// What floats over the drawing.
+std::vector<Rect> floating_places(const App& app, const Layout& layout) {
+  const Rect rail = rail_place(app, layout);
+  std::vector<Rect> places;
+  if (layout.inset) places.push_back(layout.view);
+  if (layout.tablet) places.insert(places.end(), {rail, layout.canvas_head});
+  if (app.view.mode == Mode::pose)
+    for (const Rect& inset : pose_inset_places(layout, rail)) places.push_back(inset);
+  return places;
+}
+
+// Where tools and model float over the canvas the drawing goes where they cover least of the
 // figure, a little smaller if need be.
 void fit_between(App& app, const Layout& layout) {
   View& view = app.view;
@@ -78,10 +89,8 @@ void fit_between(App& app, const Layout& layout) {
   view.sketch.fitted_mode = view.mode;
   view.sketch.fitted_size = size;
   fit(app.view.sketch, app.frame(), place);
-  std::vector<Rect> floating{rail_place(app, layout), layout.view, layout.canvas_head};
+  std::vector<Rect> floating = floating_places(app, layout);
   if (const std::optional<Rect> card = missing_card_place(app, layout)) floating.push_back(*card);
-  if (view.mode == Mode::pose)
-    for (const Rect& inset : pose_inset_places(layout)) floating.push_back(inset);
   const Figure figure = figure_of(app);
   constexpr float kShares[] = {0.5f, 0.4f, 0.6f, 0.25f, 0.75f, 0, 1};
   constexpr double kSmaller = 0.4, kAside = 0.01;  // as bad as covering so much of the figure
@@ -244,7 +253,6 @@ void paint_sketch(App& app, const Rect& place, float pixel_ratio) {
     if (view.mode == Mode::pose) paint_locks(app, camera, on);
   }
   if (view.mode == Mode::pose || view.mode == Mode::skeleton) record_joints(app, on);
-  if (view.mode == Mode::pose) paint_fit_tag(app, place, on);
 }
 
 void sketch_head(App& app, const Layout& layout) {
@@ -296,7 +304,9 @@ void sketch_foot(App& app, const Layout& layout) {
   const Theme& t = theme();
   Rect row = layout.canvas_foot.inset(16, 0);
   Layers& layers = app.view.layer();
-  const float length = layout.compact ? 80 : 110;
+  constexpr float kZoom = 144, kWords = 48 + 8 + 24 + 38 + 8, kApart = 8;
+  const float length =
+      std::clamp((row.w - kZoom - kWords - kApart) / 2, 32.0f, layout.compact ? 80.0f : 110.0f);
   if (app.view.mode != Mode::skeleton) {
     write(row.cut_left(48), Font::caption, t.muted, "Drawing");
     row.cut_left(8);
@@ -404,7 +414,7 @@ void as_inset(App& app, const Rect& place, float pixel_ratio) {
 void sketch_panel(App& app, const Layout& layout, float pixel_ratio) {
   const Theme& t = theme();
   Rect whole = layout.canvas;
-  if (!layout.tablet) {
+  if (!layout.tablet && !layout.swapped) {
     whole.y = layout.canvas_head.y;
     whole.h = layout.canvas_foot.bottom() - whole.y;
   }
@@ -419,14 +429,16 @@ void sketch_panel(App& app, const Layout& layout, float pixel_ratio) {
   if (layout.swapped) return as_inset(app, place, pixel_ratio);
   if (!app.view.sketch.fit)
     app.view.sketch.fitted_frame = -1;
-  else if (layout.tablet)
+  else if (layout.inset)
     fit_between(app, layout);
   else
     fit(app.view.sketch, app.frame(), place);
   navigate(app, place);
   draw().PushClipRect(place.min(), place.max(), true);
   paint_sketch(app, place, pixel_ratio);
-  if (app.view.mode == Mode::pose) pose_insets(app, layout, pixel_ratio);
+  if (app.view.mode == Mode::pose)
+    paint_fit_tag(app, place, floating_places(app, layout), app.view.sketch.on());
+  if (app.view.mode == Mode::pose) pose_insets(app, layout, rail_place(app, layout), pixel_ratio);
   // The marks' buttons come before the tool, in whose place they lie, and are drawn over it.
   draw().ChannelsSplit(2);
   draw().ChannelsSetCurrent(1);

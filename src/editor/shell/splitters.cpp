@@ -5,7 +5,7 @@
 namespace artisketch {
 
 void splitters(App& app, const Layout& layout) {
-  if (layout.tablet) return;
+  if (layout.inset) return;
   struct Edge {
     const char* name;
     float& size;

@@ -30,17 +30,24 @@ Rail rail_of(const App& app) {
 
 Rect rail_place(const App& app, const Layout& layout) {
   Rect place = layout.rail;
+  if (!layout.tablet) return place;
   const Rail rail = rail_of(app);
-  if (layout.tablet) place.h = kFingers * float(rail.size()) + 8 + rail.gap();
+  const float ends = 8 + rail.gap(), high = kFingers * float(rail.size()) + ends;
+  constexpr float kMargin = 12;
+  // Where a phone's canvas is too low for all: from its top on, and lower.
+  if (place.y + high > layout.canvas.bottom() - kMargin) place.y = layout.canvas.y + kMargin;
+  place.h = std::min(high, layout.canvas.bottom() - kMargin - place.y);
   return place;
 }
 
 void tool_rail(App& app, const Layout& layout) {
   const Theme& t = theme();
   const Rail rail = rail_of(app);
-  const float height = layout.tablet ? kFingers : layout.compact ? 40 : 52;
-  const float step = height + (layout.tablet ? 0 : 2);
   const Rect place = rail_place(app, layout);
+  const float share = (place.h - 8 - rail.gap()) / std::max(1.0f, float(rail.size()));
+  const float height = layout.tablet ? std::min(kFingers, share) : layout.compact ? 40 : 52;
+  const float step = height + (layout.tablet ? 0 : 2);
+  const bool with_words = layout.tablet ? height > 48 : !layout.compact;
   const Panel panel("Tools", place, t.panel,
                     layout.tablet ? Panel::Layer::floating : Panel::Layer::base,
                     layout.tablet ? kRadiusPanel : 0);
@@ -51,7 +58,7 @@ void tool_rail(App& app, const Layout& layout) {
     look.quiet = true;
     look.id = std::string(command.name) + " tool";
     const Rect cell = column.cut_top(step);
-    if (tool_button(command.name, {cell.x, cell.y, cell.w, height}, look, !layout.compact))
+    if (tool_button(command.name, {cell.x, cell.y, cell.w, height}, look, with_words))
       app.ask(command.id);
   };
   for (const Command* tool : rail.tools) entry(*tool);

@@ -76,6 +76,7 @@ void name_and_state(const App& app, Rect row) {
   const std::string title = app.view.welcome              ? "ArtiSketch"
                             : app.document().name.empty() ? "Untitled"
                                                           : app.document().name;
+  if (app.view.welcome && text_width(Font::title, title) > row.w) return;  // on phones
   const float width = std::min(text_width(Font::title, title) + 1, row.w);
   write(row.cut_left(width), Font::title, t.text, title);
   row.cut_left(12);
@@ -107,19 +108,28 @@ void top_bar(App& app, const Layout& layout) {
     command_icon(app, "help", row.cut_right(size).middle(size, size), {});
     row.cut_right(touch ? 4 : 8);
     const float high = touch ? 40 : 34;
-    command_button(app, "export", row.cut_right(92).middle(92, high));
+    // On a phone the icons say it: undo has its place too.
+    const bool narrow = layout.top.w < 480;
+    const auto act = [&](std::string_view id, float wide, Look as) {
+      const Rect place = row.cut_right(narrow ? size : wide).middle(narrow ? size : wide, high);
+      if (narrow)
+        command_icon(app, id, place, as);
+      else
+        command_button(app, id, place, as);
+    };
+    act("export", 92, {});
     row.cut_right(8);
     const bool busy = app.busy();
     const float make_width = busy            ? (layout.tablet ? 220.0f : 232.0f)
                              : layout.tablet ? 136.0f
                                              : 124.0f;
-    const Rect make = row.cut_right(make_width).middle(make_width, high);
     if (busy) {
-      progress_button(app, make);
+      const float free = std::min(make_width, row.w - 2 * size - 6);
+      progress_button(app, row.cut_right(free).middle(free, high));
     } else {
       Look primary;
       primary.primary = app.view.mode != Mode::result && !app.view.welcome;
-      command_button(app, "reconstruct", make, primary);
+      act("reconstruct", make_width, primary);
     }
     row.cut_right(16);
     Look redo, undo;

@@ -23,6 +23,8 @@ void drawings_beside(App& app, Rect column) {
     thumbnail(app, frame, card);
     draw().AddRect(card.min(), card.max(), f == lit ? t.accent : t.line, kRadius, 0,
                    f == lit ? 2.5f : 1.0f);
+    constexpr float kNamed = 64;  // smaller ones show no more than the figure
+    if (size < kNamed) continue;
     const std::string name = drawing_words(app.document(), f);
     const Rect label{card.x + 6, card.bottom() - 20, card.w - 9, 16};
     draw().AddRectFilled(  // legible over feet
@@ -59,23 +61,48 @@ void step_card(App& app, const Rect& card, int number, const char* title, const 
   write_lines(text, Font::caption, t.muted, words, 19);
 }
 
+// Where there is no room for cards.
+void step_line(Rect row, int number, const char* title) {
+  const Theme& t = theme();
+  draw().AddCircleFilled({row.x + 10, row.centre().y}, 10, t.accent);
+  write(row.cut_left(20), Font::caption_bold, t.on_accent, std::to_string(number), Align::centre);
+  row.cut_left(8);
+  write(row, Font::body_bold, t.text, title);
+}
+
+void the_steps(App& app, Rect& column, bool low) {
+  struct Step {
+    const char *title, *words;
+  };
+  constexpr Step kSteps[] = {
+      {"Drop two to four drawings",
+       "Any pose, any side. Sprites and scans work; so does blank paper."},
+      {"Outline each part",
+       "One colour per part. Trace finds the edge; Cut splits an arm at the elbow."},
+      {"Pose the skeleton",
+       "Drag joints until they match. Calibrate does the last bit; the model appears."}};
+  constexpr float kCards = 560;  // that the column must be high for them
+  if (column.h < kCards) {
+    for (int i = 0; i < 3; ++i) step_line(column.cut_top(30), i + 1, kSteps[i].title);
+    return;
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0) column.cut_top(12);
+    step_card(app, column.cut_top(low ? 92 : 114), i + 1, kSteps[i].title, kSteps[i].words);
+  }
+}
+
 void how_it_is_done(App& app, Rect column) {
   const Theme& t = theme();
   column = column.inset(30, 24);
   column.cut_top(8);
   const bool low = column.h < 720;
-  write(column.cut_top(32), Font::headline, t.text, "Draw it from a few sides.");
-  write(column.cut_top(32), Font::headline, t.text, "Get it in 3D, ready to move.");
+  const std::string last = "Get it in 3D, ready to move.";
+  const Font large = text_width(Font::headline, last) < column.w ? Font::headline : Font::title;
+  write(column.cut_top(32), large, t.text, "Draw it from a few sides.");
+  write(column.cut_top(32), large, t.text, last);
   column.cut_top(low ? 12 : 20);
-  const float high = low ? 92 : 114;
-  step_card(app, column.cut_top(high), 1, "Drop two to four drawings",
-            "Any pose, any side. Sprites and scans app; so does blank paper.");
-  column.cut_top(12);
-  step_card(app, column.cut_top(high), 2, "Outline each part",
-            "One colour per part. Trace finds the edge; Cut splits an arm at the elbow.");
-  column.cut_top(12);
-  step_card(app, column.cut_top(high), 3, "Pose the skeleton",
-            "Drag joints until they match. Calibrate does the last bit; the model appears.");
+  the_steps(app, column, low);
   column.cut_top(low ? 12 : 18);
   const Rect drop = column.cut_top(low ? 92 : 110);
   draw().AddRectFilled(drop.min(), drop.max(), t.selection, kRadiusCard);
@@ -98,7 +125,9 @@ void how_it_is_done(App& app, Rect column) {
   Rect foot = column.cut_bottom(24);
   write_icon({foot.x + 8, foot.centre().y}, IconSize::small, t.muted, icon::kLockOutline);
   foot.cut_left(22);
-  write(foot, Font::caption, t.muted, "Works offline. Your drawings never leave this computer.");
+  const std::string promise = "Works offline. Your drawings never leave this computer.";
+  const bool whole = text_width(Font::caption, promise) < foot.w;
+  write(foot, Font::caption, t.muted, whole ? promise : "Your drawings never leave this computer.");
 }
 
 // Asked for once, and there when it came.
@@ -112,6 +141,38 @@ const Drawing* example_picture(App& app, const std::string& name) {
     if (key) app.services.example_pictures[name] = *key;
   });
   return nullptr;
+}
+
+// Picture and words, beside each other or, in a narrow card, below.
+void example_card(App& app, const ExampleCard& example, const Rect& card, bool on) {
+  const Theme& t = theme();
+  const std::string name = capitalised(example.name),
+                    count = example.drawings == 1 ? "one drawing"
+                                                  : std::to_string(example.drawings) + " drawings";
+  constexpr float kGap = 8;
+  Rect picture = card.inset(6, 4), words;
+  const float wide =
+      std::max(text_width(Font::body_bold, name), text_width(Font::caption, count)) + 1;
+  const bool beside = picture.w - std::min(picture.h, picture.w / 2) - kGap >= wide;
+  if (beside) {
+    words = picture;
+    picture = words.cut_left(std::min(words.h, words.w / 2));
+    words.cut_left(kGap);
+    words = words.middle(words.w, 40);
+    write(Rect(words).cut_top(20), Font::body_bold, t.text, name);
+    write(Rect(words).cut_bottom(20), Font::caption, t.muted, count);
+  } else {
+    write(picture.cut_bottom(16), Font::caption_bold, t.text, name, Align::centre);
+  }
+  if (const Drawing* model = example_picture(app, example.name)) {
+    const float scale =
+        std::min(picture.w / float(model->image.width), picture.h / float(model->image.height));
+    show_picture(
+        model->texture,
+        picture.middle(scale * float(model->image.width), scale * float(model->image.height)), 1);
+  } else {
+    write_icon(picture.centre(), IconSize::large, on ? t.accent : t.muted, icon::kWalk);
+  }
 }
 
 void gallery(App& app, const Rect& place) {
@@ -133,24 +194,7 @@ void gallery(App& app, const Rect& place) {
     draw().AddRectFilled(card.min(), card.max(), press.hovered ? t.hover : t.control, kRadiusCard);
     if (on) draw().AddRect(card.min(), card.max(), t.accent, kRadiusCard, 0, 1.5f);
     if (press.clicked) return open_example(app, examples[i].name, false);
-    card = card.inset(6, 4);
-    const Rect picture = card.cut_left(std::min(card.h, card.w / 2));
-    const Drawing* model = example_picture(app, examples[i].name);
-    if (model) {
-      const float scale =
-          std::min(picture.w / float(model->image.width), picture.h / float(model->image.height));
-      show_picture(
-          model->texture,
-          picture.middle(scale * float(model->image.width), scale * float(model->image.height)), 1);
-    } else {
-      write_icon(picture.centre(), IconSize::large, on ? t.accent : t.muted, icon::kWalk);
-    }
-    card.cut_left(8);
-    const int count = examples[i].drawings;
-    const Rect words = card.middle(card.w, 40);
-    write(Rect(words).cut_top(20), Font::body_bold, t.text, name);
-    write(Rect(words).cut_bottom(20), Font::caption, t.muted,
-          count == 1 ? "one drawing" : std::to_string(count) + " drawings");
+    example_card(app, examples[i], card, on);
   }
 }
 
@@ -162,8 +206,12 @@ void welcome(App& app, const Layout& layout, float pixel_ratio) {
            (layout.tablet ? layout.strip.bottom() : layout.status.y) - layout.top.bottom()};
   if (layout.tablet) all.cut_top(layout.modes.h);
   Rect steps = layout.tablet ? all.cut_bottom(std::min(616.0f, all.h * 0.6f))
-                             : all.cut_right(layout.compact ? 400 : 448);
-  const Rect examples = all.cut_bottom(layout.compact || layout.tablet ? 100 : 168);
+                             : all.cut_right(layout.inset     ? 336
+                                             : layout.compact ? 400
+                                                              : 448);
+  const Rect examples = all.cut_bottom(all.w < 400                      ? 124
+                                       : layout.inset || layout.compact ? 100
+                                                                        : 168);
   {
     const Panel panel("Hero", all, t.canvas);
     const ImU32 top = t.dark ? rgb(0x23262C) : rgb(0xEDEFF2);
@@ -189,9 +237,10 @@ void welcome(App& app, const Layout& layout, float pixel_ratio) {
       const int count = int(app.document().frames.size());
       const char* numbers[] = {"no", "one drawing", "two drawings", "three drawings",
                                "four drawings"};
-      write(head, Font::caption, t.muted,
-            std::string("made from these ") + (count < 5 ? numbers[count] : "drawings") +
-                ". Drag to turn it, P stops it.");
+      const std::string made =
+          std::string("made from these ") + (count < 5 ? numbers[count] : "drawings");
+      const std::string more = made + ". Drag to turn it, P stops it.";
+      write(head, Font::caption, t.muted, text_width(Font::caption, more) < head.w ? more : made);
       drawings_beside(app, Rect{all.x + 24, all.y + 60, 132, all.h - 72});
     }
   }

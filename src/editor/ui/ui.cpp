@@ -10,6 +10,7 @@ namespace artisketch {
 namespace {
 
 std::vector<Widget>* recorded = nullptr;
+std::vector<std::string> cut_short;
 
 constexpr float kInterLine = 2478.0f / 2048;  // Inter's line, in ems
 
@@ -48,6 +49,7 @@ void explain(const std::string& label, const Look& look, const Press& press, boo
 
 void begin_controls(std::vector<Widget>& widgets) {
   recorded = &widgets;
+  cut_short.clear();
   const Theme& t = theme();
   ImGuiStyle& style = ImGui::GetStyle();
   style.WindowPadding = {0, 0};
@@ -137,6 +139,7 @@ std::string shortened(Font which, const std::string& text, float width) {
 
 void write(const Rect& place, Font which, ImU32 colour, const std::string& text, Align align) {
   const std::string line = shortened(which, text, place.w + 0.5f);
+  if (line.size() != text.size()) cut_short.push_back(text);
   const float height = em(which) * kInterLine, width = text_width(which, line);
   const float slack = place.w - width;
   const float x = place.x + (align == Align::left ? 0 : align == Align::right ? slack : slack / 2);
@@ -224,7 +227,17 @@ void key_cap(const Rect& place, const std::string& key) {
 // ---------------------------------------------------------------- controls
 
 void record(const std::string& label, const Rect& place, bool enabled, bool active) {
-  if (recorded) recorded->push_back({label, place.x, place.y, place.w, place.h, enabled, active});
+  if (!recorded) return;
+  // What has been scrolled away can't be clicked.
+  ImRect seen = ImGui::GetCurrentWindow()->ClipRect;
+  seen.ClipWith({place.min(), place.max()});
+  if (seen.IsInverted()) seen = {place.min(), place.min()};
+  recorded->push_back(
+      {label, seen.Min.x, seen.Min.y, seen.GetWidth(), seen.GetHeight(), enabled, active});
+}
+
+const std::vector<std::string>& words_cut_short() {
+  return cut_short;
 }
 
 Press press_area(const std::string& label, const Rect& place, bool enabled, bool active) {

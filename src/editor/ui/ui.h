@@ -15,6 +15,8 @@ namespace artisketch {
 
 // Begins a frame: controls are recorded in `widgets`, ImGui's own windows take the theme's colours.
 void begin_controls(std::vector<Widget>& widgets);
+// The words of the frame so far for which there was too little room.
+const std::vector<std::string>& words_cut_short();
 
 // A window of ImGui's without any decoration, for as long as the object lives.
 class Panel {

@@ -1,6 +1,8 @@
 #include "editor/modes/pose/fit_paint.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "document/edit.h"
 #include "editor/canvas/pointer.h"
@@ -50,8 +52,32 @@ double off_here(const App& app, int joint) {
                 : distance_of(app, joint, app.session.selection.frame);
 }
 
+bool overlap(const Rect& a, const Rect& b) {
+  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
+
+// The tag where nothing floats, as near as may be; where it is if there is no such place.
+Rect clear_of(const Rect& tag, const std::vector<Rect>& floating, const Rect& place) {
+  const auto clear = [&](const Rect& at) {
+    return std::none_of(floating.begin(), floating.end(),
+                        [&](const Rect& over) { return overlap(at, over); });
+  };
+  if (clear(tag)) return tag;
+  constexpr float kStep = 10, kMargin = 8;
+  Rect best = tag;
+  float least = std::numeric_limits<float>::infinity();
+  for (float y = place.y + kMargin; y + tag.h + kMargin <= place.bottom(); y += kStep)
+    for (float x = place.x + kMargin; x + tag.w + kMargin <= place.right(); x += kStep) {
+      const Rect at{x, y, tag.w, tag.h};
+      const float way = apart(at.min(), tag.min());
+      if (way < least && clear(at)) least = way, best = at;
+    }
+  return best;
+}
+
 // What the longest stretch belongs to, and how far it is off, beside it.
-void paint_tag(const App& app, const PartMarks& part, const Rect& place, const OnScreen& on) {
+void paint_tag(const App& app, const PartMarks& part, const Rect& place,
+               const std::vector<Rect>& floating, const OnScreen& on) {
   const double off = off_here(app, part.joint);
   const std::string words =
       part_words(app, part.joint) + " " + std::to_string(int(std::lround(off))) + " px off";
@@ -63,6 +89,7 @@ void paint_tag(const App& app, const PartMarks& part, const Rect& place, const O
            at.y + reach * float(out.y()) - height / 2, width, height};
   tag.x = std::clamp(tag.x, place.x + 8, std::max(place.x + 8, place.right() - width - 8));
   tag.y = std::clamp(tag.y, place.y + 8, std::max(place.y + 8, place.bottom() - height - 8));
+  tag = clear_of(tag, floating, place);
   draw().AddRectFilled(tag.min(), tag.max(), rgb(0x1F2227, 0.95f), height / 2);
   draw().AddCircleFilled({tag.x + 14, tag.centre().y}, 5, joint_tint(part.joint));
   record("Tag " + words, tag);
@@ -85,7 +112,8 @@ void paint_fit_marks(App& app, const OnScreen& on) {
   for (const PartMarks& part : parts) paint_edge(part.marks, on);
 }
 
-void paint_fit_tag(App& app, const Rect& place, const OnScreen& on) {
+void paint_fit_tag(App& app, const Rect& place, const std::vector<Rect>& floating,
+                   const OnScreen& on) {
   if (!tell(app)) return;
   const PartMarks* longest = nullptr;
   for (const PartMarks& part : marks_of_drawing(app)) {
@@ -93,7 +121,7 @@ void paint_fit_tag(App& app, const Rect& place, const OnScreen& on) {
     if (part.marks.stretch > 0 && (!longest || part.marks.stretch > longest->marks.stretch))
       longest = &part;
   }
-  if (longest) paint_tag(app, *longest, place, on);
+  if (longest) paint_tag(app, *longest, place, floating, on);
 }
 
 }  // namespace artisketch

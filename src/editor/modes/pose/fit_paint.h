@@ -6,6 +6,8 @@
 namespace artisketch {
 
 void paint_fit_marks(App& app, const OnScreen& on);
-void paint_fit_tag(App& app, const Rect& place, const OnScreen& on);  // the worst of them
+// The worst of them, beside what floats over the drawing.
+void paint_fit_tag(App& app, const Rect& place, const std::vector<Rect>& floating,
+                   const OnScreen& on);
 
 }  // namespace artisketch

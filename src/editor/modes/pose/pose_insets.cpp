@@ -43,21 +43,28 @@ void paint_ball(ImVec2 centre, const Mat3& turn, bool active) {
   draw().Flags = flags;
 }
 
-Rect ball_place(const Rect& canvas) {
-  return {canvas.x + kMargin, canvas.bottom() - kMargin - 2 * kBallGround, 2 * kBallGround,
-          2 * kBallGround};
+// In the other lower corner; where tools float that far down, beside them.
+Rect ball_place(const Layout& layout, const Rect& rail) {
+  const Rect& canvas = layout.canvas;
+  Rect place{canvas.x + kMargin, canvas.bottom() - kMargin - 2 * kBallGround, 2 * kBallGround,
+             2 * kBallGround};
+  if (layout.tablet && rail.bottom() > place.y) place.x = rail.right() + kMargin;
+  return place;
 }
 
-// On tablets the model stands in the lower corner.
+// In the lower corner, or above the model where that stands there: smaller if need be.
 Rect side_place(const Layout& layout) {
   const Rect& canvas = layout.canvas;
-  const float height = kSide + kSideHead;
-  return {canvas.right() - kMargin - kSide,
-          layout.tablet ? canvas.y + 68 : canvas.bottom() - kMargin - height, kSide, height};
+  if (!layout.inset)
+    return {canvas.right() - kMargin - kSide, canvas.bottom() - kMargin - kSide - kSideHead, kSide,
+            kSide + kSideHead};
+  const float top = canvas.y + (layout.tablet ? 68 : kMargin);
+  const float free = layout.view.y - kMargin - top - kSideHead;
+  const float side = std::clamp(free, 96.0f, std::min(kSide, 0.4f * canvas.w));
+  return {canvas.right() - kMargin - side, top, side, side + kSideHead};
 }
 
-void turning_ball(App& app, const Rect& canvas) {
-  const Rect place = ball_place(canvas);
+void turning_ball(App& app, const Rect& place) {
   const Press press = press_area("Turn the body", place);
   if (ImGui::IsItemActivated()) app.session.begin_gesture();
   const ImGuiIO& io = ImGui::GetIO();
@@ -99,7 +106,9 @@ void side_view(App& app, const Rect& place, float pixel_ratio) {
   Rect body = place;
   Rect head = body.cut_top(kSideHead).inset(12, 0);
   write(head, Font::caption_bold, rgb(0xE8EAED), "From the side");
-  write(head, Font::caption, rgb(0xA3A9B2), "drag: depth", Align::right);
+  const std::string use = "drag: depth";
+  if (head.w > text_width(Font::caption_bold, "From the side") + 8 + text_width(Font::caption, use))
+    write(head, Font::caption, rgb(0xA3A9B2), use, Align::right);
   body = body.inset(4, 2);
   const Pose pose = app.drawn_pose();
   const ViewProjection projection = side_projection(skeleton, pose.root_position, body);
@@ -168,18 +177,19 @@ void poses_to_copy(App& app, const Rect& canvas) {
 
 }  // namespace
 
-std::vector<Rect> pose_inset_places(const Layout& layout) {
-  return {ball_place(layout.canvas), side_place(layout)};
+std::vector<Rect> pose_inset_places(const Layout& layout, const Rect& rail) {
+  return {ball_place(layout, rail), side_place(layout)};
 }
 
-void pose_insets(App& app, const Layout& layout, float pixel_ratio) {
+void pose_insets(App& app, const Layout& layout, const Rect& rail, float pixel_ratio) {
   const Rect& canvas = layout.canvas;
   poses_to_copy(app, canvas);
   if (app.document().skeleton.size() == 0 || !app.view.layer().bones) return;
-  turning_ball(app, canvas);
+  const Rect ball = ball_place(layout, rail);
+  turning_ball(app, ball);
   // Above the ball; on tablets the tools float there, and it stands beside.
-  ImVec2 corner{canvas.x + kMargin, canvas.bottom() - kMargin};
-  (layout.tablet ? corner.x : corner.y) += (layout.tablet ? 1 : -1) * (2 * kBallGround + kMargin);
+  ImVec2 corner{ball.x, canvas.bottom() - kMargin};
+  (layout.tablet ? corner.x : corner.y) += (layout.tablet ? 1 : -1) * (ball.w + kMargin);
   bend_chooser(app, corner);
   side_view(app, side_place(layout), pixel_ratio);
 }

@@ -8,7 +8,8 @@
 
 namespace artisketch {
 
-std::vector<Rect> pose_inset_places(const Layout& layout);
-void pose_insets(App& app, const Layout& layout, float pixel_ratio);
+// `rail`: where the tools are.
+std::vector<Rect> pose_inset_places(const Layout& layout, const Rect& rail);
+void pose_insets(App& app, const Layout& layout, const Rect& rail, float pixel_ratio);
 
 }  // namespace artisketch

@@ -12,6 +12,8 @@
 namespace artisketch {
 namespace {
 
+constexpr float kCardMargin = 6;
+
 // A template as a small stick figure: long bodies from the side, a spider from above.
 void stick_figure(Template kind, const Rect& place, ImU32 colour) {
   const Skeleton skeleton = template_skeleton(kind);
@@ -47,7 +49,7 @@ void template_card(App& app, const TemplateWords& words, const Rect& card) {
   const Theme& t = theme();
   const Press press = press_area(std::string("Template ") + words.name, card);
   draw().AddRectFilled(card.min(), card.max(), press.hovered ? t.hover : t.control, kRadiusCard);
-  Rect inside = card.inset(8);
+  Rect inside = card.inset(kCardMargin, 8);
   write(inside.cut_bottom(18), Font::caption, t.text, words.name, Align::centre);
   stick_figure(words.kind, inside.inset(6, 4), press.hovered ? t.accent : t.muted);
   if (press.hovered) tooltip(words.about, "");
@@ -129,8 +131,14 @@ void both_sides_box(App& app, const Rect& place) {
   if (checkbox("Both sides alike", place, on)) app.ask("both_sides");
 }
 
+// In so many columns, or as many as hold the longest name.
 void template_cards(App& app, Rect place, int columns) {
-  const float gap = 8, width = (place.w - gap * float(columns - 1)) / float(columns);
+  const float gap = 8;
+  float widest = 0;
+  for (const TemplateWords& words : all_templates())
+    widest = std::max(widest, text_width(Font::caption, words.name) + 2 * kCardMargin);
+  columns = std::clamp(int((place.w + gap) / (widest + gap)), 1, columns);
+  const float width = (place.w - gap * float(columns - 1)) / float(columns);
   const int count = int(all_templates().size()), rows = (count + columns - 1) / columns;
   const float height = std::min(92.0f, (place.h - gap * float(rows - 1)) / float(rows));
   for (int i = 0; i < count; ++i)
