@@ -297,9 +297,6 @@ Eigen::ArrayXXf without_thin_dark(Eigen::ArrayXXf light, int r) {
   return light;
 }
 
-Rgb rgb_of(const Pixel& pixel) {
-  return Rgb(pixel[0], pixel[1], pixel[2]) / 255;
-}
 // Whether both may be one colour, in shade and in light.
 bool one_colour(const Rgb& a, const Rgb& b) {
   constexpr float kAlike = 0.1f, kDarkest = 0.6f, kTinted = 0.15f;

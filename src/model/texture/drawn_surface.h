@@ -12,6 +12,9 @@ namespace artisketch {
 
 using Rgb = Eigen::Vector3f;                 // sRGB, 0 … 1
 using Pixel = std::array<unsigned char, 4>;  // sRGB and alpha, as pictures have them
+inline Rgb rgb_of(const Pixel& pixel) {
+  return Rgb(pixel[0], pixel[1], pixel[2]) / 255;
+}
 
 // The joints that hold a triangle: the one that moves it most first, then those with a share worth
 // the name; −1 where there are fewer.

@@ -41,10 +41,6 @@ struct PartTones {
   }
 };
 
-Rgb rgb_of(const Pixel& pixel) {
-  return Rgb(pixel[0], pixel[1], pixel[2]) / 255;
-}
-
 // The peaks of the colours of a part.
 class Histogram {
  public:
