@@ -12,19 +12,16 @@ namespace {
 
 using namespace figures;
 
-constexpr int kWidth = 512, kHeight = 512;  // pixels
-constexpr int kNovelPoses = 6;
-
 // The figure's own colours: no ink, no shade, no wobble of the hand.
-Image true_colours(const Figure& figure, const Pose& pose, const FrameCamera& camera) {
+Image true_colours(const Figure& figure, const Pose& pose, const FrameCamera& camera, int size) {
   InkStyle flat;
   flat.line = flat.detail = flat.wobble = 0;
   flat.shadow = 0xffffff;
-  return ink_drawing(figure, pose, camera, kWidth, kHeight, flat);
+  return ink_drawing(figure, pose, camera, size, size, flat);
 }
 
 // The model's, unlit: the texel under each pixel's middle.
-Image model_colours(const Model& model, const Pose& pose, const FrameCamera& camera) {
+Image model_colours(const Model& model, const Pose& pose, const FrameCamera& camera, int size) {
   const Points3 posed = posed_vertices(model.mesh.V, model.weights, model.skeleton, pose);
   std::vector<Vec2> pixels(posed.rows());
   std::vector<double> depth(posed.rows());
@@ -32,12 +29,12 @@ Image model_colours(const Model& model, const Pose& pose, const FrameCamera& cam
     pixels[v] = camera.project(posed.row(v).transpose());
     depth[v] = -posed(v, 2);
   }
-  const Visible seen = raster_triangles(pixels, depth, {}, model.mesh.F, kWidth, kHeight);
-  Image image(kWidth, kHeight, 0);
+  const Visible seen = raster_triangles(pixels, depth, {}, model.mesh.F, size, size);
+  Image image(size, size, 0);
   const Image& texture = *model.texture;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      const int f = seen.face[std::size_t(y) * kWidth + x];
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const int f = seen.face[std::size_t(y) * size + x];
       if (f < 0) continue;
       const auto corner = model.mesh.F.row(f);
       const Vec3 w = corner_weights(Vec2(x + 0.5, y + 0.5), pixels[corner[0]], pixels[corner[1]],
@@ -55,8 +52,8 @@ Image model_colours(const Model& model, const Pose& pose, const FrameCamera& cam
 
 double wrong_share(const Image& truth, const Image& model, unsigned shadow) {
   int wrong = 0, both = 0;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < truth.height; ++y)
+    for (int x = 0; x < truth.width; ++x) {
       const std::uint8_t *t = truth.at(x, y), *m = model.at(x, y);
       if (t[3] < 255 || m[3] < 255) continue;
       ++both;
@@ -75,15 +72,16 @@ double wrong_share(const Image& truth, const Image& model, unsigned shadow) {
 
 ColourCell colour_cell(const Figure& figure, int frames, std::uint64_t seed,
                        const ColourOptions& options) {
-  const Camera camera = fitting_camera(figure, Camera::Type::orthographic, kWidth, kHeight);
-  const Sketches sketches = draw(figure, random_views(figure, frames, seed), camera, kWidth,
-                                 kHeight, {.pose_error_degrees = options.error}, seed);
+  const int size = options.size;
+  const Camera camera = fitting_camera(figure, Camera::Type::orthographic, size, size);
+  const Sketches sketches = draw(figure, random_views(figure, frames, seed), camera, size, size,
+                                 {.pose_error_degrees = options.error}, seed);
   std::vector<Image> drawings;
   InkStyle style;
   for (int f = 0; f < frames; ++f) {
     style.seed = seed + std::uint64_t(f);
     drawings.push_back(ink_drawing(figure, sketches.truth.frames[f].pose,
-                                   frame_camera(sketches.truth, f), kWidth, kHeight, style));
+                                   frame_camera(sketches.truth, f), size, size, style));
   }
   PipelineOptions pipeline = options.pipeline;
   pipeline.drawings = drawings;
@@ -93,15 +91,15 @@ ColourCell colour_cell(const Figure& figure, int frames, std::uint64_t seed,
   if (!made || !made->model.texture) return cell;
   cell = {};
   const auto add = [&](const Pose& pose, const FrameCamera& seen) {
-    return wrong_share(true_colours(figure, pose, seen), model_colours(made->model, pose, seen),
-                       style.shadow);
+    return wrong_share(true_colours(figure, pose, seen, size),
+                       model_colours(made->model, pose, seen, size), style.shadow);
   };
   for (int f = 0; f < frames; ++f)
     cell.drawn_wrong +=
         add(sketches.truth.frames[f].pose, frame_camera(sketches.truth, f)) / frames;
-  const FrameCamera still{sketches.truth.camera, Vec2(kWidth, kHeight) / 2, 1};
-  for (const View& v : random_views(figure, kNovelPoses, seed + 5000))
-    cell.wrong += add(v.pose, still) / kNovelPoses;
+  const FrameCamera still{sketches.truth.camera, Vec2(size, size) / 2, 1};
+  for (const View& v : random_views(figure, options.poses, seed + 5000))
+    cell.wrong += add(v.pose, still) / options.poses;
   return cell;
 }
 

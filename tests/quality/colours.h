@@ -12,6 +12,8 @@ namespace artisketch::quality {
 struct ColourOptions {
   std::vector<int> frames = {2, 3, 4};
   double error = 0;          // degrees that the given poses are off
+  int size = 512;            // of each drawing, pixels
+  int poses = 6;             // that nobody drew
   PipelineOptions pipeline;  // without drawings: they are made here
 };
 
