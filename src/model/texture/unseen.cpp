@@ -8,7 +8,7 @@
 namespace artisketch {
 namespace {
 
-constexpr double kAlong = 5;  // a step along the bone counts as so many round it
+constexpr double kAlong = 8;  // a step along the bone counts as so many round it
 // Between these qualities what is seen holds out against what lies beside: below, it is at a slant,
 // or taken from farther inside an outline, and may be a smear.
 constexpr float kSeenBadly = 0.15f, kSeenWell = 0.5f;
