@@ -180,7 +180,9 @@ class Retargeter {
       const int our_joints[] = {mine.collar, mine.upper, mine.lower, mine.end, mine.tip};
       const int their_joints[] = {yours.collar, yours.upper, yours.lower, yours.end, yours.tip};
       for (int i = 0; i < 4; ++i) {
-        if (our_joints[i] < 0 || mover(our_joints[i]) != their_joints[i]) continue;
+        // Where both lack it, neither points anywhere.
+        if (our_joints[i] < 0 || their_joints[i] < 0 || mover(our_joints[i]) != their_joints[i])
+          continue;
         for (int k = i + 1; k < 5; ++k)
           if (our_joints[k] >= 0 && their_joints[k] >= 0 &&
               (k == 4 || mover(our_joints[k]) == their_joints[k])) {

@@ -114,6 +114,27 @@ TEST(Retarget, APairOfNamesThatTheMotionDoesNotHaveIsNamed) {
   EXPECT_EQ(result->map.mover[0], 0);  // by its name
 }
 
+TEST(Retarget, CollarBonesThatTheMotionLacksFollowNothing) {
+  const Actor actor = walking_person();
+  Motion motion = recorded(actor, vocabularies()[0], Rest::t_pose, false);
+  // Its arms hang on the chest, and what was a collar bone is a twist beside them.
+  std::vector<Joint>& joints = motion.skeleton.joints;
+  for (Joint& joint : joints)
+    if (joint.parent >= 0 && joints[std::size_t(joint.parent)].name.ends_with("Shoulder")) {
+      joint.offset += joints[std::size_t(joint.parent)].offset;
+      joint.parent = joints[std::size_t(joint.parent)].parent;
+    }
+  for (Joint& joint : joints)
+    if (joint.name.ends_with("Shoulder")) joint.name += "Twist";
+  Document document;
+  document.skeleton = actor.skeleton;
+  const Result<Retargeted> made = retargeted(document, motion, {});
+  ASSERT_TRUE(made) << made.error().text();
+  for (const Pose& pose : made->clip.poses)
+    for (const Quat& turn : pose.rotations) EXPECT_NEAR(turn.norm(), 1, 1e-9);
+  EXPECT_EQ(made->map.mover[std::size_t(document.skeleton.find("collar.L"))], -1);
+}
+
 TEST(Retarget, FlatSkeletonsDoNotDivideByNothing) {
   Document document = figure();
   Motion source = motion();
