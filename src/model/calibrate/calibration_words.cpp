@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "base/words.h"
+#include "model/calibrate/drawn_size.h"
 
 namespace artisketch {
 namespace {
@@ -65,6 +66,15 @@ void measure_changes(const Document& document, Calibration& result) {
                                 "calibration.max_translation allows: place the figure nearer to " +
                                 "the drawing, or allow more");
   }
+}
+
+// At the artist's poses: calibration tips bodies away to explain what differs in size.
+void name_sizes(const Document& document, const RayResiduals& rays, Calibration& result) {
+  std::vector<Pose> poses;
+  for (const Frame& frame : document.frames) poses.push_back(frame.pose);
+  const std::vector<DrawnSize> sizes = drawn_sizes(rays, placed(document, poses, result.scales));
+  for (std::string& line : drawn_size_words(document, sizes, result.scales))
+    result.warnings.push_back(std::move(line));
 }
 
 // ---------------------------------------------------------------- drawings that cannot agree
@@ -222,6 +232,7 @@ std::string frame_words(const Document& document, int frame) {
 void explain(const Document& document, const RayResiduals& rays, std::span<const Coverage> after,
              Calibration& result) {
   measure_changes(document, result);
+  name_sizes(document, rays, result);
   name_contradictions(document, rays, after, result);
   name_open_angles(document, rays, result);
 }
