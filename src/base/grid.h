@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/types.h"
+#include "base/within.h"
 
 namespace artisketch {
 
@@ -44,13 +45,14 @@ struct Grid3 {
 };
 
 // Trilinear value of g at p (units). Outside the grid the value at the nearest border point, so
-// that a signed distance stays outside. g holds at least two samples along each axis.
+// that a signed distance stays outside; where p is no number, that of the grid's first samples
+// along that axis. g holds at least two samples along each axis.
 template <class T>
 double sample(const Grid3<T>& g, const Vec3& p) {
   int at[3];
   double w[3];
   for (int a = 0; a < 3; ++a) {
-    const double x = std::clamp((p[a] - g.origin[a]) / g.cell, 0.0, double(g.size[a] - 1));
+    const double x = within((p[a] - g.origin[a]) / g.cell, 0, g.size[a] - 1);
     at[a] = std::min(int(x), g.size[a] - 2);
     w[a] = x - at[a];
   }

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/grid.h"
+
 namespace artisketch {
 namespace {
 
@@ -75,6 +77,16 @@ TEST(PolygonDistance, WhatIsNoNumberIsNoLineAndNowhere) {
     }
   }
   EXPECT_TRUE(PolygonDistance(std::vector<std::vector<Vec2>>{{{nan, 0}, {1, 1}, {2, 0}}}).empty());
+}
+
+TEST(Grid3, IsSampledWithinItselfWhateverIsAsked) {
+  Grid3<float> grid(Vec3::Zero(), 1, Index3(3, 3, 3));
+  for (int i = 0; i < 27; ++i) grid.values[std::size_t(i)] = float(i % 3);  // x
+  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(sample(grid, Vec3(1.5, 1, 1)), 1.5);
+  EXPECT_EQ(sample(grid, Vec3(infinite, nan, -infinite)), 2);
+  EXPECT_EQ(sample(grid, Vec3(nan, nan, nan)), 0);
+  EXPECT_EQ(sample(grid, Vec3(1e300, 1, 1)), 2);
 }
 
 TEST(SampledDistance, StaysWithinATenthOfAPixel) {
