@@ -17,7 +17,7 @@ std::string frame_words(const Document& document, std::size_t frame) {
   return "frame " + std::to_string(frame + 1) + (name.empty() ? "" : " " + in_quotes(name));
 }
 
-const std::string& joint_name(const Document& document, int joint) {
+const std::string& name_of_joint(const Document& document, int joint) {
   return document.skeleton.joints[joint].name;
 }
 
@@ -78,13 +78,13 @@ void check_frame(const Document& document, std::size_t f, const JsonPath& at, Fa
     const JsonPath one = contours / c;
     check_line(contour.line,
                frame_words(document, f) + ": the contour of " +
-                   in_quotes(joint_name(document, contour.joint)),
+                   in_quotes(name_of_joint(document, contour.joint)),
                one / "points", faults);
   }
   for (const int joint : drawn)
     if (cancel_out(closed_contours(frame, joint)))
       faults.add(contours, frame_words(document, f) + ": the contours of " +
-                               in_quotes(joint_name(document, joint)) +
+                               in_quotes(name_of_joint(document, joint)) +
                                " cancel out, since what lies in two of them is a hole; should be "
                                "there once");
   // In perspective, what is drawn must stand before the camera.
@@ -95,7 +95,7 @@ void check_frame(const Document& document, std::size_t f, const JsonPath& at, Fa
   });
   if (behind != drawn.end())
     faults.add(at / "pose", frame_words(document, f) + ": " +
-                                in_quotes(joint_name(document, *behind)) +
+                                in_quotes(name_of_joint(document, *behind)) +
                                 " stands at or behind the camera; should have z below the "
                                 "camera's distance: move root_position away");
 }

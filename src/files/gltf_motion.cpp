@@ -13,14 +13,14 @@ constexpr std::size_t kMostNumbers = 10'000'000;
 constexpr std::size_t kMostNodes = 100'000;
 constexpr double kFinest = 1.0 / 120, kCoarsest = 1.0 / 24;  // seconds from pose to pose
 
-using Frame = Eigen::Affine3d;
+using NodePlace = Eigen::Affine3d;
 
 struct Trs {
   Vec3 translation = Vec3::Zero();
   Quat rotation = Quat::Identity();
   Vec3 scale = Vec3::Ones();
-  Frame frame() const {
-    Frame all = Frame::Identity();
+  NodePlace frame() const {
+    NodePlace all = NodePlace::Identity();
     all.translation() = translation;
     all.linear() = rotation.toRotationMatrix() * scale.asDiagonal();
     return all;
@@ -28,7 +28,7 @@ struct Trs {
 };
 
 // How a frame is turned, whatever it stretches; not at all where it is flat.
-Quat turn_of(const Frame& frame) {
+Quat turn_of(const NodePlace& frame) {
   constexpr double kFlat = 1e-12;
   Vec3 x = frame.linear().col(0), y = frame.linear().col(1);
   if (x.norm() < kFlat) return Quat::Identity();
@@ -176,7 +176,7 @@ class MotionReader {
       fixed_.emplace_back();
       if (node.matrix.size() == 16)
         fixed_.back() =
-            Frame(Eigen::Matrix4d(Eigen::Map<const Eigen::Matrix4d>(node.matrix.data())));
+            NodePlace(Eigen::Matrix4d(Eigen::Map<const Eigen::Matrix4d>(node.matrix.data())));
     }
     rest_ = placed(local_);
     in_skin_.assign(gltf_.nodes.size(), false);
@@ -188,7 +188,7 @@ class MotionReader {
     if (skin.inverseBindMatrices >= 0)
       inverse = data_.rows(skin.inverseBindMatrices, TINYGLTF_TYPE_MAT4);
     count(std::size_t(inverse.size()) + skin.joints.size());
-    std::optional<Frame> to_scene;  // from the space of the skin's mesh, by its first joint
+    std::optional<NodePlace> to_scene;  // from the space of the skin's mesh, by its first joint
     for (std::size_t i = 0; i < skin.joints.size(); ++i) {
       const int node = skin.joints[i];
       at(gltf_.nodes, node, "joint");
@@ -196,20 +196,20 @@ class MotionReader {
       in_skin_[std::size_t(node)] = true;
       if (Eigen::Index(i) >= inverse.rows()) continue;
       const Eigen::RowVectorXd row = inverse.row(Eigen::Index(i));
-      const Frame one(Eigen::Matrix4d(Eigen::Map<const Eigen::Matrix4d>(row.data())));
+      const NodePlace one(Eigen::Matrix4d(Eigen::Map<const Eigen::Matrix4d>(row.data())));
       constexpr double kFlat = 1e-15;
       if (!(std::abs(one.linear().determinant()) > kFlat)) continue;
       if (!to_scene) to_scene = rest_[std::size_t(node)] * one;
-      const Frame bound = *to_scene * one.inverse(Eigen::Affine);
+      const NodePlace bound = *to_scene * one.inverse(Eigen::Affine);
       if (!known && bound.matrix().allFinite()) rest_[std::size_t(node)] = bound;
     }
   }
 
-  std::vector<Frame> placed(const std::vector<Trs>& local) const {
-    std::vector<Frame> all(local.size());
+  std::vector<NodePlace> placed(const std::vector<Trs>& local) const {
+    std::vector<NodePlace> all(local.size());
     for (const int n : order_) {
-      const Frame own = fixed_[n] ? *fixed_[n] : local[n].frame();
-      all[n] = parent_[n] < 0 ? own : Frame(all[parent_[n]] * own);
+      const NodePlace own = fixed_[n] ? *fixed_[n] : local[n].frame();
+      all[n] = parent_[n] < 0 ? own : NodePlace(all[parent_[n]] * own);
     }
     return all;
   }
@@ -318,7 +318,7 @@ class MotionReader {
     for (int k = 0; k <= steps; ++k) {
       const double time = k == steps ? last : first + k * motion.step;
       for (const Track& track : tracks) track.put(time, local[std::size_t(track.node)]);
-      const std::vector<Frame> now = placed(local);
+      const std::vector<NodePlace> now = placed(local);
       std::vector<Quat> turns;
       Pose pose = rest_pose(skeleton_);
       places.emplace_back();
@@ -363,10 +363,11 @@ class MotionReader {
   const GltfData data_;
   const tinygltf::Model& gltf_;
   std::size_t counted_ = 0;
-  std::vector<int> parent_, order_;          // of the nodes
-  std::vector<Trs> local_;                   // at rest
-  std::vector<std::optional<Frame>> fixed_;  // of nodes that have a matrix: they can't be animated
-  std::vector<Frame> rest_;
+  std::vector<int> parent_, order_;  // of the nodes
+  std::vector<Trs> local_;           // at rest
+  std::vector<std::optional<NodePlace>>
+      fixed_;  // of nodes that have a matrix: they can't be animated
+  std::vector<NodePlace> rest_;
   std::vector<bool> in_skin_, matters_;
   std::vector<int> nodes_;  // by joint; −1: the scene's origin
   std::vector<int> joint_of_;

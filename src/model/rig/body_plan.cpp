@@ -379,6 +379,13 @@ std::optional<Vec3> standing_direction(const BodyPlan& plan, const std::vector<V
   return up.norm() > kNothing ? std::optional(Vec3(up.normalized())) : std::nullopt;
 }
 
+std::vector<Vec3> places_of(const std::vector<Transform>& posed) {
+  std::vector<Vec3> at;
+  at.reserve(posed.size());
+  for (const Transform& joint : posed) at.push_back(joint.translation());
+  return at;
+}
+
 Vec3 forward_of(const BodyPlan& plan, const std::vector<Vec3>& at) {
   Vec3 side = Vec3::Zero();
   for (const auto* pair : {&plan.legs, &plan.arms})

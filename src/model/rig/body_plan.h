@@ -37,6 +37,9 @@ struct BodyPlan {
   std::vector<bool> guessed;  // per joint: what it is shows in the tree's shape, not in its name
 };
 
+// Where posed joints are.
+std::vector<Vec3> places_of(const std::vector<Transform>& posed);
+
 // By the joints' names; what these leave open, by the tree's shape and by `at`, where the joints
 // stand in some pose, y up. Only with `shapes` whole limbs are looked for by shape alone.
 BodyPlan body_plan_of(const Skeleton& skeleton, const std::vector<Vec3>& at, bool shapes);

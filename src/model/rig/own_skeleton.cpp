@@ -10,12 +10,6 @@
 namespace artisketch {
 namespace {
 
-std::vector<Vec3> places(const std::vector<Transform>& posed) {
-  std::vector<Vec3> at;
-  for (const Transform& joint : posed) at.push_back(joint.translation());
-  return at;
-}
-
 // Where the joints of the standing figure are, y up.
 std::vector<Vec3> standing(const Motion& motion) {
   constexpr double kUpright = 0.8;  // cosine
@@ -24,7 +18,7 @@ std::vector<Vec3> standing(const Motion& motion) {
     return at;
   };
   std::vector<std::vector<Vec3>> choices{rest_positions(motion.skeleton)};
-  if (!motion.poses.empty()) choices.push_back(places(posed_joints(motion, 0)));
+  if (!motion.poses.empty()) choices.push_back(places_of(posed_joints(motion, 0)));
   for (const std::vector<Vec3>& at : choices) {
     const std::optional<Vec3> up = standing_direction(body_plan_of(motion.skeleton, at, false), at);
     if (up && up->y() > kUpright) return at;

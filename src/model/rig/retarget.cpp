@@ -48,13 +48,6 @@ class Source {
   bool turned_ = false;
 };
 
-std::vector<Vec3> places(const std::vector<Transform>& posed) {
-  std::vector<Vec3> at;
-  at.reserve(posed.size());
-  for (const Transform& joint : posed) at.push_back(joint.translation());
-  return at;
-}
-
 // Whether z is up: the figure stands along it, for more of the time than along y. Where its joints
 // say nothing, it is taller along it.
 bool stands_along_z(const Source& source, const BodyPlan& figure) {
@@ -62,7 +55,7 @@ bool stands_along_z(const Source& source, const BodyPlan& figure) {
   int along_y = 0, along_z = 0;
   double tall_y = 0, tall_z = 0;
   for (const int k : source.sampled(200)) {
-    const std::vector<Vec3> at = places(source.posed(k));
+    const std::vector<Vec3> at = places_of(source.posed(k));
     if (const auto up = standing_direction(figure, at)) {
       along_y += up->y() > kUpright;
       along_z += up->z() > kUpright;
@@ -137,7 +130,7 @@ class Retargeter {
 
   Result<Retargeted> run() {
     find_up();
-    out_.map = mapped(document_, motion_, places(source_.posed(0)));
+    out_.map = mapped(document_, motion_, places_of(source_.posed(0)));
     if (out_.map.matches.empty())
       return bad_input("the motion '" + motion_.name + "' moves no joint of the document: its '" +
                        theirs().joints[0].name +
@@ -160,7 +153,7 @@ class Retargeter {
   int mover(int joint) const { return joint < 0 ? -1 : out_.map.mover[joint]; }
 
   void find_up() {
-    const std::vector<Vec3> at = places(source_.posed(0));
+    const std::vector<Vec3> at = places_of(source_.posed(0));
     out_.z_up = stands_along_z(source_, body_plan_of(theirs(), at, false));
     if (out_.z_up) source_.turn_up();
   }
@@ -296,7 +289,7 @@ class Retargeter {
   void find_reference() {
     const Mat3 mine = trunk_frames(our(), rest_).hips.value_or(Mat3::Identity());
     const auto unlike = [&](int k) {
-      const std::vector<Vec3> at = places(source_.posed(k));
+      const std::vector<Vec3> at = places_of(source_.posed(k));
       const auto frame = trunk_frames(their(), at).hips;
       const Mat3 yours = frame.value_or(Mat3::Identity());
       double sum = 0;
@@ -328,7 +321,7 @@ class Retargeter {
   void find_differences() {
     difference_.assign(std::size_t(ours_.size()), Quat::Identity());
     const std::vector<Transform> posed = source_.posed(reference_);
-    const std::vector<Vec3> at = places(posed);
+    const std::vector<Vec3> at = places_of(posed);
     const Frame3 mine = trunk_frames(our(), rest_), yours = trunk_frames(their(), at);
     std::vector<Quat> ours(std::size_t(ours_.size()), Quat::Identity());
     for (int j = 0; j < ours_.size(); ++j) {
@@ -393,14 +386,14 @@ class Retargeter {
       for (std::size_t s = 0; s < 2; ++s) add(our().arms[s], their().arms[s]);
     if (feet_.empty()) return;
     for (int k = 0; k < source_.size(); ++k) {
-      const std::vector<Vec3> at = places(source_.posed(k));
+      const std::vector<Vec3> at = places_of(source_.posed(k));
       for (std::size_t f = 0; f < feet_.size(); ++f) {
         feet_[f].ankle.push_back(at[their_feet_[f].end]);
         const int tip = their_feet_[f].tip;
         feet_[f].toe.push_back(tip >= 0 ? at[tip] : at[their_feet_[f].end]);
       }
     }
-    const std::vector<Vec3> at = places(source_.posed(0));
+    const std::vector<Vec3> at = places_of(source_.posed(0));
     leg_ = 0;
     for (const LimbJoints& leg : their_feet_) leg_ += length_of(leg, at) / double(feet_.size());
     find_contacts(feet_, leg_, motion_.step);
@@ -425,7 +418,7 @@ class Retargeter {
       for (std::size_t k = 0; k < count; k += step) {
         if (!feet_[f].stands[k]) continue;
         const std::vector<Transform> posed = source_.posed(int(k));
-        const std::vector<Vec3> at = places(posed);
+        const std::vector<Vec3> at = places_of(posed);
         Vec3 yours = level(feet_[f].toe[k] - feet_[f].ankle[k]);
         const bool toes = yours.norm() > 0.03 * leg_ && mine.norm() > kNothing;
         const Vec3 from = toes ? mine : forward_of(our(), rest_);
@@ -467,7 +460,7 @@ class Retargeter {
         return;
       }
     }
-    const std::vector<Vec3> at = places(source_.posed(reference_));
+    const std::vector<Vec3> at = places_of(source_.posed(reference_));
     const Stature mine = stature(rest_, 0), yours = stature(at, root_mover_);
     constexpr double kLeast = 0.05;  // of the whole; hips lower than this are no hips
     stands_ = mine.hips > kLeast * mine.whole && yours.hips > kLeast * yours.whole;
@@ -495,7 +488,7 @@ class Retargeter {
     Vec3 first = Vec3::Zero();
     for (int k = 0; k < source_.size(); ++k) {
       const std::vector<Transform> posed = source_.posed(k);
-      const std::vector<Vec3> at = places(posed);
+      const std::vector<Vec3> at = places_of(posed);
       Pose pose = pose_like(posed, at);
       if (feet_.empty()) {
         Vec3 start = k == 0 ? at[root_mover_] : first;
@@ -507,7 +500,7 @@ class Retargeter {
         }
         pose.root_position = ours_.joints[0].offset + out_.scale * (at[root_mover_] - start);
       } else {
-        const std::vector<Vec3> mine = places(artisketch::posed_joints(ours_, pose));
+        const std::vector<Vec3> mine = places_of(artisketch::posed_joints(ours_, pose));
         const Vec3 theirs_top = tops(their_feet_, at);
         Vec3 top = out_.scale * theirs_top;
         top.y() = our_stance + out_.scale * (theirs_top.y() - their_stance);
