@@ -46,10 +46,12 @@ int run(const char* program, const char* document, bool scripted) {
     if (window->stirred()) due = 3;
     if (due > 0 || editor.wants_frame()) {
       window->draw(editor);
+      if (script) script->drawn();
       --due;
     }
     if (editor.closed()) closing = true;
     if (script) closing = script->answer(editor) || closing;
+    if (script && script->waits()) due = std::max(due, 1);
   }
   return 0;
 }

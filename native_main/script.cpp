@@ -38,14 +38,17 @@ Script::Script(Platform& platform) : questions_(std::make_shared<Questions>()) {
 }
 
 bool Script::answer(const Editor& editor) {
-  std::vector<std::string> lines;
+  constexpr int kFrames = 3;  // as the window draws them after an event
   {
     const std::lock_guard lock(questions_->mutex);
-    lines.swap(questions_->lines);
+    for (std::string& line : questions_->lines)
+      waiting_.push_back({std::move(line), frame_ + kFrames});
+    questions_->lines.clear();
   }
-  for (const std::string& line : lines) {
-    if (line == "quit") return true;
-    std::printf("%s\n", answer_to(line, editor).dump().c_str());
+  for (; !waiting_.empty() && waiting_.front().due <= frame_; waiting_.pop_front()) {
+    const std::string& question = waiting_.front().question;
+    if (question == "quit") return true;
+    std::printf("%s\n", answer_to(question, editor).dump().c_str());
     std::fflush(stdout);
   }
   return false;

@@ -8,7 +8,7 @@
 //   quit             leaves without a question
 #pragma once
 
-#include <atomic>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -22,7 +22,11 @@ class Platform;
 class Script {
  public:
   explicit Script(Platform& platform);  // woken when a question came in
-  // Answers what was asked since; true once the asker wants to quit.
+  // A frame has been drawn. Questions wait for three: what came before them acts in the first,
+  // shows in the next, and hovers in the last.
+  void drawn() { ++frame_; }
+  bool waits() const { return !waiting_.empty(); }  // for frames
+  // Answers what was asked long enough ago; true once the asker wants to quit.
   bool answer(const Editor& editor);
 
  private:
@@ -30,7 +34,13 @@ class Script {
     std::mutex mutex;
     std::vector<std::string> lines;
   };
+  struct Waiting {
+    std::string question;
+    int due = 0;  // frame
+  };
   std::shared_ptr<Questions> questions_;  // shared with the reading thread, which may outlive this
+  std::deque<Waiting> waiting_;
+  int frame_ = 0;
 };
 
 }  // namespace artisketch
