@@ -1,6 +1,6 @@
 # The sources of a folder, compiled as one: half the work where they are many, since what templates make is
-# made once. Only builds that look for mistakes are made so: elsewhere each source is compiled with what it
-# includes alone, and an include that one forgot is found.
+# made once. The page and builds that look for mistakes are made so: on this machine each source is compiled
+# with what it includes alone, and an include that one forgot is found.
 #
 # These call two things alike in namespaces without a name, and are compiled by themselves. Where a name
 # is said to be defined twice, give one a better name, or add its source.
@@ -53,6 +53,11 @@ foreach(target IN LISTS targets)
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY "${folder}" NORMALIZE OUTPUT_VARIABLE path)
     if(path IN_LIST alone OR NOT path MATCHES "^${PROJECT_SOURCE_DIR}/(src|tests)/")
+      continue()
+    endif()
+    # Together they would lose the flags that one has for itself.
+    get_source_file_property(options "${path}" COMPILE_OPTIONS)
+    if(options)
       continue()
     endif()
     cmake_path(GET path PARENT_PATH group)
