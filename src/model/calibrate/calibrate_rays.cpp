@@ -7,9 +7,10 @@
 //   already stay;
 // - landmarks about the middles of bones say, weakly, what silhouettes leave open;
 // - Geman–McClure kernels, narrowed step by step, let contours that contradict all others go;
-// - of several starts the one that ends with least energy is taken;
-// - joints whose parts still miss are turned out of that minimum, one at a time with all that hangs
-//   on them, or their limbs begun anew, and let fall into a better one;
+// - several starts are tried, each to its end, since a start that looks well may end badly, and a
+//   millionth of a pixel may decide which looks best: the one that ends with least energy is taken;
+// - at each end, joints whose parts still miss are turned out of that minimum, one at a time with
+//   all that hangs on them, or their limbs begun anew, and let fall into a better one;
 // - the rays' noise is measured on what is left, and the end refined with it: drawings that
 //   disagree by pixels say little against the poses given, however well turning bones would explain
 //   them; nor is the first frame's pose then better known than theirs, and its limbs move, too.
@@ -24,9 +25,11 @@
 namespace artisketch {
 namespace {
 
-constexpr double kRayStep = 3;             // units of the drawing between rays
-constexpr int kMostRays = 32;              // of one contour
-constexpr int kIterations = 30;            // of one stage, at most
+constexpr double kRayStep = 3;   // units of the drawing between rays
+constexpr int kMostRays = 32;    // of one contour
+constexpr int kIterations = 30;  // of one stage, at most
+constexpr double kSameMinimum =
+    1e-3;  // starts whose energies differ by less: as far as one settles
 constexpr double kWide = 12, kNarrow = 4;  // pixels: where the kernels let go
 constexpr double kNoise = 10;  // pixels²: what the stages take a ray's error for at first
 constexpr double kLeastNoise = 0.1;
@@ -103,21 +106,25 @@ PoseFreedom freedom_of(const Document& document, bool first, std::vector<std::st
 
 // ---------------------------------------------------------------- starts
 
-// The best of three starts: the user's poses by narrowing kernels, the landmarks' poses likewise,
-// and the user's poses with the narrow kernel at once.
-SolvedPoses best_of_starts(PoseSolver& solver, const PoseChange& user) {
+// Three starts, or fewer where some come to the same, the best first: the user's poses by narrowing
+// kernels, the landmarks' poses likewise, and the user's poses with the narrow kernel at once.
+std::vector<SolvedPoses> starts_of(PoseSolver& solver, const PoseChange& user) {
   const auto narrowed = [&](PoseChange start) {
     SolvedPoses s = solver.minimise(std::move(start), kPlain, kIterations);
     s = solver.minimise(std::move(s.change), kWideKernel, kIterations);
     return solver.minimise(std::move(s.change), kNarrowKernel, kIterations);
   };
   const PoseEnergy landmarks{0, 0, kLead};
-  const SolvedPoses starts[] = {narrowed(user),
-                                narrowed(solver.minimise(user, landmarks, kIterations).change),
-                                solver.minimise(user, kNarrowKernel, kIterations)};
-  return *std::min_element(
-      std::begin(starts), std::end(starts),
-      [](const SolvedPoses& a, const SolvedPoses& b) { return a.energy < b.energy; });
+  std::vector<SolvedPoses> starts = {narrowed(user),
+                                     narrowed(solver.minimise(user, landmarks, kIterations).change),
+                                     solver.minimise(user, kNarrowKernel, kIterations)};
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const SolvedPoses& a, const SolvedPoses& b) { return a.energy < b.energy; });
+  const auto same = [](const SolvedPoses& a, const SolvedPoses& b) {
+    return b.energy <= a.energy * (1 + kSameMinimum);
+  };
+  starts.erase(std::unique(starts.begin(), starts.end(), same), starts.end());
+  return starts;
 }
 
 // ---------------------------------------------------------------- turns out of minima
@@ -342,9 +349,13 @@ Result<Calibration> calibrate_rays(const Document& document, Run& run) {
   PoseSolver solver(document, residuals, freedom, widest, run);
   const PoseChange user = no_change(document);
   solver.narrow_prior(user);
-  SolvedPoses best = best_of_starts(solver, user);
-  run.report(0.5);
-  best = out_of_minima(solver, document, residuals, freedom, std::move(best), run);
+  const std::vector<SolvedPoses> starts = starts_of(solver, user);
+  run.report(0.4);
+  SolvedPoses best = starts.front();
+  for (const SolvedPoses& start : starts) {
+    SolvedPoses end = out_of_minima(solver, document, residuals, freedom, start, run);
+    if (end.energy < best.energy) best = std::move(end);
+  }
   run.report(0.8);
   const auto robust = [&](const PoseChange& change) {
     return residuals.evaluate(solver.at(change), kNarrow, 1, nullptr);
