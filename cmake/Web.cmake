@@ -18,17 +18,22 @@ function(artisketch_web_module name begin environment)
     $<$<VERSION_GREATER_EQUAL:${EMSCRIPTEN_VERSION},3.1.27>:-sSTACK_SIZE=5MB>)
 endfunction()
 
-# Small where it isn't slow: the interface, what a person does to the document, and the reading and
-# writing of files.
+# Small where it isn't slow: the interface, what a person does to the document, the reading and writing
+# of files, and what makes clips.
 target_compile_options(artisketch_editor PRIVATE -Oz)
 target_compile_options(artisketch_window PRIVATE -Oz)
 target_compile_options(artisketch_imgui PRIVATE -Oz)
 file(GLOB files CONFIGURE_DEPENDS src/files/*.cpp)
-set(edits edit animate correspondence cut history mend skeleton_edit sprite_sheet strokes suggest
-  templates)
+set(edits edit animate bone_axis correspondence cut history mend outline_edit posing skeleton_edit
+  sprite_sheet strokes suggest templates)
 list(TRANSFORM edits PREPEND src/document/)
+set(clips acts body_plan clips feet gaits joint_name library motion_map own_skeleton puppet retarget
+  rig_profile t_pose)
+list(TRANSFORM clips PREPEND src/model/rig/)
+list(APPEND edits ${clips})
 list(TRANSFORM edits APPEND .cpp)
-set_source_files_properties(${files} ${edits} src/model/calibrate/calibration_words.cpp src/app/cli.cpp
+set_source_files_properties(${files} ${edits} src/model/calibrate/calibration_words.cpp
+  src/model/calibrate/drawn_size.cpp src/model/calibrate/unseen_sides.cpp src/app/cli.cpp
   src/app/job_bytes.cpp web/page_main.cpp web/browser.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 
 # What goes over all that is drawn, and over all of a model.
@@ -56,7 +61,7 @@ foreach(name IN LISTS examples)
     COMMAND "${ARTISKETCH_NODE}" "${PROJECT_SOURCE_DIR}/web/pack.mjs" "${folder}/${name}.artisketch"
             "${packed}.artisketch"
     COMMAND "${ARTISKETCH_NODE}" --no-experimental-fetch $<TARGET_FILE:artisketch> reconstruct
-            "${folder}/${name}.artisketch" -o "${packed}.glb" --grid 64 --triangles 5700 --quiet
+            "${folder}/${name}.artisketch" -o "${packed}.glb" --grid 64 --triangles 5300 --quiet
     COMMAND "${ARTISKETCH_NODE}" --no-experimental-fetch $<TARGET_FILE:artisketch> render "${packed}.glb"
             -o "${packed}.png" --clear --frame 1 --yaw 25 --pitch 8 --size 120x144
     DEPENDS artisketch web/pack.mjs "${folder}/${name}.artisketch" ${drawings}
