@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include <Eigen/Dense>
 
@@ -28,25 +27,11 @@ struct SizeRatio {
   double log = 0;
 };
 
-Vec3 looks_along(const RayResiduals::Part& part, const RayResiduals::View& view,
-                 const Placement& placement) {
-  const Transform& to_world = placement.posed[view.frame][part.joint];
-  return to_world.linear().transpose() * placement.cameras[view.frame].ray(view.centroid).direction;
-}
-
 // Units that a view's outline takes along an axis in the joint's axes.
 double extent_along(const RayResiduals::Part& part, const RayResiduals::View& view,
                     const Placement& placement, const Vec3& middle, const Vec3& axis) {
-  const Transform& to_world = placement.posed[view.frame][part.joint];
-  const Transform to_part = to_world.inverse();
-  const double z = (to_world * middle).z();
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Vec2& p : view.points) {
-    const double at = axis.dot(to_part * placement.cameras[view.frame].ray(p).at_z(z));
-    low = std::min(low, at);
-    high = std::max(high, at);
-  }
-  return high - low;
+  const Vec2 reach = reach_along(part, view, placement, middle, axis);
+  return reach.y() - reach.x();
 }
 
 std::vector<SizeRatio> size_ratios(const RayResiduals& rays, const Placement& placement) {
@@ -62,7 +47,7 @@ std::vector<SizeRatio> size_ratios(const RayResiduals& rays, const Placement& pl
       for (std::size_t w = 0; w < v; ++w) {
         const RayResiduals::View &one = part.views[v], &other = part.views[w];
         const Vec3 axis =
-            looks_along(part, one, placement).cross(looks_along(part, other, placement));
+            line_of_sight(part, one, placement).cross(line_of_sight(part, other, placement));
         const bool aside = axis.norm() >= kAside;
         const Vec3 along = aside ? Vec3(axis.normalized()) : Vec3(Vec3::Zero());
         const double a = aside ? extent_along(part, one, placement, middle, along) : across(one);

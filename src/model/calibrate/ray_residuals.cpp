@@ -310,4 +310,23 @@ double RayResiduals::cost(const Part& part, const Placement& placement, double e
   return sum;
 }
 
+Vec3 line_of_sight(const RayResiduals::Part& part, const RayResiduals::View& view,
+                   const Placement& placement) {
+  const Transform& to_world = placement.posed[view.frame][part.joint];
+  return to_world.linear().transpose() * placement.cameras[view.frame].ray(view.centroid).direction;
+}
+
+Vec2 reach_along(const RayResiduals::Part& part, const RayResiduals::View& view,
+                 const Placement& placement, const Vec3& middle, const Vec3& axis) {
+  const Transform& to_world = placement.posed[view.frame][part.joint];
+  const Transform to_part = to_world.inverse();
+  const double z = (to_world * middle).z();
+  Vec2 reach(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+  for (const Vec2& p : view.points) {
+    const double at = axis.dot(to_part * placement.cameras[view.frame].ray(p).at_z(z));
+    reach = {std::min(reach.x(), at), std::max(reach.y(), at)};
+  }
+  return reach;
+}
+
 }  // namespace artisketch

@@ -84,4 +84,12 @@ class RayResiduals {
   std::vector<Part> parts_;
 };
 
+// The way that a view's camera looks at a part, in the joint's axes.
+Vec3 line_of_sight(const RayResiduals::Part& part, const RayResiduals::View& view,
+                   const Placement& placement);
+// From where to where a view's outline reaches along an axis in the joint's axes; units, in the
+// plane at the depth of `middle`, a place in the joint's axes.
+Vec2 reach_along(const RayResiduals::Part& part, const RayResiduals::View& view,
+                 const Placement& placement, const Vec3& middle, const Vec3& axis);
+
 }  // namespace artisketch

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -23,26 +22,6 @@ constexpr double kNarrow = radians(25), kWide = radians(45);
 constexpr double kAgrees = 0.1, kDisagrees = 0.35;  // in the part's sizes
 // Of the drawn area: so much in parts of one kind makes the whole of that kind.
 constexpr double kMostly = 0.6;
-
-Vec3 line_of_sight(const RayResiduals::Part& part, const RayResiduals::View& view,
-                   const Placement& placement) {
-  const Transform& to_world = placement.posed[view.frame][part.joint];
-  return to_world.linear().transpose() * placement.cameras[view.frame].ray(view.centroid).direction;
-}
-
-// From where to where an outline reaches along an axis in the joint's axes, in units.
-Vec2 reach(const RayResiduals::Part& part, const RayResiduals::View& view,
-           const Placement& placement, const Vec3& middle, const Vec3& axis) {
-  const Transform& to_world = placement.posed[view.frame][part.joint];
-  const Transform to_part = to_world.inverse();
-  const double z = (to_world * middle).z();
-  Vec2 reach(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
-  for (const Vec2& p : view.points) {
-    const double at = axis.dot(to_part * placement.cameras[view.frame].ray(p).at_z(z));
-    reach = {std::min(reach.x(), at), std::max(reach.y(), at)};
-  }
-  return reach;
-}
 
 // Units: the root of the largest outline's area.
 double size_of(const RayResiduals::Part& part, const Placement& placement, const Vec3& middle) {
@@ -70,8 +49,8 @@ PartTrust judged(const RayResiduals& rays, const RayResiduals::Part& part,
       out.spread = std::max(out.spread, arctangent(axis.norm(), std::abs(a.dot(b))));
       if (axis.norm() < sine(kNarrow)) continue;
       const Vec3 along = axis.normalized();
-      squares += (reach(part, part.views[v], placement, middle, along) -
-                  reach(part, part.views[w], placement, middle, along))
+      squares += (reach_along(part, part.views[v], placement, middle, along) -
+                  reach_along(part, part.views[w], placement, middle, along))
                      .squaredNorm() /
                  2;
       ++pairs;
