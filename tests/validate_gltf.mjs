@@ -22,8 +22,9 @@ for (const model of models) {
   }
   const { numErrors, numWarnings, numInfos } = issues;
   console.log(`${model}: ${numErrors} errors, ${numWarnings} warnings, ${numInfos} infos`);
-  // The validator knows no avatars: tests/other/vrm_import.mjs looks at what makes one.
+  // The validator knows no avatars: tests/other/vrm_import.mjs looks at what makes one; nor what is
+  // packed: the same model unpacked is among the samples, and tests/other/three_import.mjs unpacks one.
   const told = issues.messages.filter(({ severity, code, message }) => severity === 2 &&
-    !code.startsWith('UNUSED_') && !(code === 'UNSUPPORTED_EXTENSION' && message.includes("'VRMC_")));
+    !code.startsWith('UNUSED_') && !(code === 'UNSUPPORTED_EXTENSION' && /'(VRMC_|EXT_meshopt_)/.test(message)));
   if (numErrors + numWarnings + told.length > 0) process.exitCode = 1;
 }

@@ -20,6 +20,7 @@
 #include "files/document_check.h"
 #include "files/document_file.h"
 #include "files/gltf.h"
+#include "files/gltf_compress.h"
 #include "files/image_file.h"
 #include "files/inside_images.h"
 #include "files/mesh_file.h"
@@ -52,7 +53,7 @@ struct Arguments {
   std::string in, out, calibrated, report, preview, trace, motion, method, size = "800x800";
   std::optional<int> grid, triangles;
   bool no_calibrate = false, no_texture = false, visual_hull = false, quiet = false,
-       progress = false;
+       progress = false, compress = false;
   int frame = 0, turntable = 0;
   bool clear = false;
   double yaw = 0, pitch = 0;
@@ -365,6 +366,9 @@ int reconstruct_verb(Arguments& a) {
   std::vector<std::string> inputs = files_of(*document, a.in);
   inputs.push_back(a.motion);
   if (const auto words = overwritten(targets, inputs)) return bad_command_line(*words);
+  if (a.compress && ending != ".glb" && ending != ".vrm")
+    return bad_command_line("--compress: there is nothing to pack in a " + ending +
+                            "; name a .glb or .vrm");
   std::optional<VrmMeta> about;
   if (ending == ".vrm") {
     if (!a.rig.empty())
@@ -417,6 +421,7 @@ int reconstruct_verb(Arguments& a) {
   Result<std::string> model = about ? vrm_bytes(result->model, *about)
                                     : model_bytes_for(ending, rigged ? *rigged : result->model);
   if (!model) return fail(bad_input(a.out + ": " + model.error().text()));
+  if (a.compress) model = compressed_glb(*model);
   const std::size_t size = model->size();
   if (!a.calibrated.empty())
     outputs.push_back({a.calibrated, text_beside(result->calibrated, a.in, a.calibrated)});
@@ -611,6 +616,8 @@ CLI::App& add_reconstruct(CLI::App& app, Arguments& a) {
   make.add_flag("--in-place", a.retarget.in_place, "leave out the motion's way over the ground");
   make.add_flag("--raw-feet{false}", a.retarget.plant_feet,
                 "feet as the motion has them: they may slide and float");
+  make.add_flag("--compress", a.compress,
+                "a smaller .glb or .vrm, for three.js and its like: Godot refuses it");
   make.add_flag("--no-texture", a.no_texture, "leave the model plain");
   make.add_option("--calibrated", a.calibrated, "the document at the calibrated poses");
   make.add_option("--preview", a.preview,

@@ -3,40 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <optional>
 
-#include "files/json.h"
+#include "files/glb_parts.h"
+#include "files/gltf_compress.h"
 
 namespace artisketch {
 namespace {
 
-std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return value;
-}
-
 // tinygltf trusts its input in places: it recurses into nested values, and takes the address of an
 // image's bytes before looking whether they are there. What would trip it is refused here.
-void check_container(std::string_view bytes) {
-  require(bytes.size() >= 20 && bytes.substr(0, 4) == "glTF", "is no binary glTF");
-  require(little_endian(bytes, 4) == 2, "is not glTF version 2");
-  require(little_endian(bytes, 8) == bytes.size(), "is cut off, or longer than it says");
-  const std::size_t json_size = little_endian(bytes, 12);
-  require(json_size <= bytes.size() - 20 && bytes.substr(16, 4) == "JSON", "has no JSON chunk");
-  std::size_t bin_size = 0;
-  if (const std::size_t at = 20 + json_size; bytes.size() >= at + 8)
-    bin_size = std::min<std::size_t>(little_endian(bytes, at), bytes.size() - at - 8);
-
-  Faults faults("its JSON");
-  const std::optional<Json> json = parse_json(bytes.substr(20, json_size), faults);
-  if (!faults.none()) throw Refused{"is damaged: " + faults.error().faults.front()};
-  require(json->is_object(), "has a JSON chunk that is no object");
-  if (const auto buffers = json->find("buffers"); buffers != json->end())
+void check_container(const GlbParts& parts) {
+  const Json& json = parts.json;
+  const std::size_t bin_size = parts.bin.size();
+  if (const auto buffers = json.find("buffers"); buffers != json.end())
     require(buffers->is_array() && buffers->size() == 1 && (*buffers)[0].is_object() &&
                 !(*buffers)[0].contains("uri"),
             "does not hold all its data");
-  if (const auto views = json->find("bufferViews"); views != json->end())
+  if (const auto views = json.find("bufferViews"); views != json.end())
     for (const Json& view : *views) {
       require(view.is_object(), "has a damaged buffer view");
       const auto number = [&](const char* field) {
@@ -58,7 +41,13 @@ bool leave_image(tinygltf::Image*, const int, std::string*, std::string*, int, i
 }
 
 tinygltf::Model parse(std::string_view bytes) {
-  check_container(bytes);
+  GlbParts parts = glb_parts(bytes);
+  std::string whole;
+  if (is_compressed(parts)) {
+    parts = decompressed(std::move(parts));
+    bytes = whole = glb_of(parts);
+  }
+  check_container(parts);
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(leave_image, nullptr);
   loader.SetFsCallbacks({});

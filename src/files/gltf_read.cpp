@@ -17,7 +17,8 @@ class Reader {
 
  private:
   void skeleton(const tinygltf::Skin& skin);
-  void mesh(const tinygltf::Primitive& primitive);
+  void mesh(const tinygltf::Primitive& primitive, const tinygltf::Skin& skin);
+  void unquantize(int positions, int inverse_bind);
   void texture(int material, const std::string& name);
   void clip(const tinygltf::Animation& animation);
 
@@ -57,7 +58,19 @@ void Reader::skeleton(const tinygltf::Skin& skin) {
     require((joints[j].parent < 0) == (j == 0), "has joints without a common root");
 }
 
-void Reader::mesh(const tinygltf::Primitive& primitive) {
+// Positions in whole steps (gltf_compress.h) are where the skin puts them at rest.
+void Reader::unquantize(int positions, int inverse_bind) {
+  if (gltf_.accessors[std::size_t(positions)].componentType == TINYGLTF_COMPONENT_TYPE_FLOAT)
+    return;
+  require(inverse_bind >= 0, "has positions in steps of unknown size");
+  const GltfRows matrices = data_.rows(inverse_bind, TINYGLTF_TYPE_MAT4);  // by columns
+  const Eigen::Map<const Eigen::Matrix4d> root(matrices.data());
+  Points3& V = model_.mesh.V;
+  V = (V * root.topLeftCorner<3, 3>().transpose()).rowwise() +
+      (root.topRightCorner<3, 1>() + model_.skeleton.joints[0].offset).transpose();
+}
+
+void Reader::mesh(const tinygltf::Primitive& primitive, const tinygltf::Skin& skin) {
   require(primitive.mode == TINYGLTF_MODE_TRIANGLES, "is not made of triangles");
   const auto attribute = [&](const char* name, int type) {
     const auto found = primitive.attributes.find(name);
@@ -65,6 +78,7 @@ void Reader::mesh(const tinygltf::Primitive& primitive) {
     return data_.rows(found->second, type);
   };
   model_.mesh.V = attribute("POSITION", TINYGLTF_TYPE_VEC3);
+  unquantize(primitive.attributes.at("POSITION"), skin.inverseBindMatrices);
   const Eigen::Index vertices = model_.mesh.V.rows();
   const auto indices = data_.rows(primitive.indices, TINYGLTF_TYPE_SCALAR);
   require(indices.rows() % 3 == 0 && indices.minCoeff() >= 0 && indices.maxCoeff() < vertices,
@@ -146,8 +160,9 @@ Model Reader::read(const std::string& name) {
   require(mesh_of_it.primitives.size() == 1, "has a mesh of several pieces");
   const tinygltf::Primitive& primitive = mesh_of_it.primitives[0];
   model_.name = mesh_of_it.name;
-  skeleton(at(gltf_.skins, skinned->skin, "skin"));
-  mesh(primitive);
+  const tinygltf::Skin& skin = at(gltf_.skins, skinned->skin, "skin");
+  skeleton(skin);
+  mesh(primitive, skin);
   texture(primitive.material, name);
   for (const tinygltf::Animation& animation : gltf_.animations) clip(animation);
   return std::move(model_);

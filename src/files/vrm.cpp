@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "files/glb_parts.h"
 #include "files/gltf.h"
 #include "files/json.h"
 #include "model/rig/body_plan.h"
@@ -75,37 +76,6 @@ Json spring_json(const Skeleton& skeleton, double tall) {
   }
   return all;
 }
-
-void put(std::string& out, std::uint32_t value) {
-  for (int i = 0; i < 4; ++i) out += char(value >> (8 * i) & 255);
-}
-std::uint32_t number_at(const std::string& bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return value;
-}
-
-// A GLB of ours with more in its JSON.
-template <class Add>
-std::string with_json(const std::string& glb, Add add) {
-  constexpr std::size_t kHead = 20;
-  const std::size_t size = number_at(glb, 12);
-  Faults none("");
-  Json json = *parse_json(std::string_view(glb).substr(kHead, size), none);
-  add(json);
-  std::string text = json.dump();
-  while (text.size() % 4) text += ' ';
-  const std::string rest = glb.substr(kHead + size);
-  std::string out = "glTF";
-  put(out, 2);
-  put(out, std::uint32_t(kHead + text.size() + rest.size()));
-  put(out, std::uint32_t(text.size()));
-  return out + "JSON" + text + rest;
-}
-
-}  // namespace
-
-namespace {
 
 // VRM's meta besides name, authors and license: what each field may be.
 struct MetaField {
@@ -194,23 +164,24 @@ Result<std::string> vrm_bytes(const Model& model, const VrmMeta& meta) {
   if (!glb) return glb;
   const Skeleton& skeleton = posed.skeleton;
   const double tall = bounds(posed.mesh.V).sizes().y();
-  return with_json(*glb, [&](Json& json) {
-    Json about = {{"name", meta.name}, {"authors", meta.authors}, {"licenseUrl", meta.license}};
-    Faults none("");
-    if (!meta.more.empty()) about.update(*parse_json(meta.more, none));
-    // The mesh's node comes after the joints'.
-    const Json first = {
-        {"meshAnnotations", Json::array({{{"node", skeleton.size()}, {"type", "auto"}}})}};
-    json["extensionsUsed"] = Json::array({"VRMC_vrm"});
-    json["extensions"]["VRMC_vrm"] = {{"specVersion", "1.0"},
-                                      {"meta", about},
-                                      {"humanoid", humanoid_json(skeleton)},
-                                      {"firstPerson", first}};
-    const Json springs = spring_json(skeleton, tall);
-    if (springs.empty()) return;
+  GlbParts parts = glb_parts(*glb);
+  Json about = {{"name", meta.name}, {"authors", meta.authors}, {"licenseUrl", meta.license}};
+  Faults none("");
+  if (!meta.more.empty()) about.update(*parse_json(meta.more, none));
+  // The mesh's node comes after the joints'.
+  const Json first = {
+      {"meshAnnotations", Json::array({{{"node", skeleton.size()}, {"type", "auto"}}})}};
+  Json& json = parts.json;
+  json["extensionsUsed"] = Json::array({"VRMC_vrm"});
+  json["extensions"]["VRMC_vrm"] = {{"specVersion", "1.0"},
+                                    {"meta", about},
+                                    {"humanoid", humanoid_json(skeleton)},
+                                    {"firstPerson", first}};
+  if (const Json springs = spring_json(skeleton, tall); !springs.empty()) {
     json["extensionsUsed"].push_back("VRMC_springBone");
     json["extensions"]["VRMC_springBone"] = {{"specVersion", "1.0"}, {"springs", springs}};
-  });
+  }
+  return glb_of(parts);
 }
 
 }  // namespace artisketch

@@ -325,6 +325,20 @@ TEST_F(CommandLine, MotionIsSaidToBeLeftOutOfASurface) {
   EXPECT_NE(err.find("--motion walk.bvh: is left out"), std::string::npos) << err;
 }
 
+TEST_F(CommandLine, CompressedModelsAreTheSameInFewerBytes) {
+  const auto make = [&](const std::string& name, std::vector<std::string> more) {
+    std::vector<std::string> words{"reconstruct", kCircles, "-o", path(name), "--grid", "16"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  };
+  EXPECT_EQ(make("c.glb", {}), 0) << err;
+  EXPECT_EQ(make("small.glb", {"--compress"}), 0) << err;
+  EXPECT_LT(fs::file_size(path("small.glb")), fs::file_size(path("c.glb")) / 2);
+  EXPECT_EQ(run({"render", path("small.glb"), "-o", path("small.png")}), 0) << err;
+  EXPECT_EQ(make("c.obj", {"--compress"}), 2);
+  EXPECT_NE(err.find("--compress: there is nothing to pack in a .obj"), std::string::npos) << err;
+}
+
 TEST_F(CommandLine, AFailedRunLeavesTheSideOutputsToo) {
   write("r.json", "precious");
   write("p.png", "precious");

@@ -4,6 +4,7 @@
 
 #include "files/bytes.h"
 #include "files/gltf.h"
+#include "files/gltf_compress.h"
 #include "files/sample_models.h"
 #include "files/vrm.h"
 
@@ -22,5 +23,9 @@ int main(int count, char** arguments) {
   VrmMeta meta;
   meta.name = "person";
   meta.authors = {"ArtiSketch's tests"};
-  return write("person.vrm", vrm_bytes(person_with_tail_model(), meta)) ? 0 : 1;
+  const Result<std::string> avatar = vrm_bytes(person_with_tail_model(), meta);
+  if (!write("person.vrm", avatar) || !write("small.vrm", compressed_glb(*avatar))) return 1;
+  const std::string small = compressed_glb(*glb_bytes(textured_model()));
+  if (!write("small.glb", small)) return 1;
+  return write("quantized.glb", glb_of(decompressed(glb_parts(small)))) ? 0 : 1;
 }

@@ -5,6 +5,7 @@
 #include "files/bytes.h"
 #include "files/document_file.h"
 #include "files/gltf.h"
+#include "files/gltf_compress.h"
 #include "files/sample_models.h"
 #include "fuzz/mutations.h"
 
@@ -41,8 +42,12 @@ TEST(Mutation, DamagedDocumentsAreReadWholeOrRefusedInWords) {
 TEST(Mutation, DamagedModelsAreReadWholeOrRefusedInWords) {
   Mutator mutator(2);
   int read = 0, refused = 0;
+  std::vector<std::pair<std::string, std::string>> files;
   for (const auto& [name, model] : small_models()) {
-    const std::string good = *glb_bytes(model);
+    files.emplace_back(name, *glb_bytes(model));
+    files.emplace_back(name + " packed", compressed_glb(files.back().second));
+  }
+  for (const auto& [name, good] : files) {
     const std::size_t bin = good.find(std::string_view("BIN\0", 4)) + 4;
     for (int i = 0; i < 1500; ++i) {
       // Mostly the JSON, which says what the rest means.

@@ -1,12 +1,13 @@
-// What three.js makes of a model, in Chromium: skeleton, clip `frames`, texture, and a picture.
-//   node three_import.mjs PACKAGES MODEL.glb PICTURE.png
+// What three.js makes of models, in Chromium: skeleton, clip `frames`, texture, and a picture of the
+// last. Of the same model packed (--compress) it makes the same: all end in one picture, nearly.
+//   node three_import.mjs PACKAGES PICTURE.png MODEL.glb…
 // PACKAGES: where npm installed tests/package.json. Exit status 77 where Chromium or they are missing.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 
-const [packages, model, picture] = process.argv.slice(2);
+const [packages, picture, ...models] = process.argv.slice(2);
 const chromiumPath = process.env.ARTISKETCH_CHROMIUM ?? '/usr/bin/chromium';
 const three = join(packages, 'node_modules', 'three');
 if (!existsSync(chromiumPath) || !existsSync(three)) {
@@ -15,11 +16,9 @@ if (!existsSync(chromiumPath) || !existsSync(three)) {
 }
 const { chromium } = createRequire(join(packages, 'package.json'))('playwright-core');
 
-const bytes = readFileSync(model);
-const gltf = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)));
-const expected = {
-  joints: gltf.skins[0].joints.map((joint) => gltf.nodes[joint].name),
-  clip: gltf.animations[0].name,
+const described = (bytes) => {
+  const gltf = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)));
+  return {joints: gltf.skins[0].joints.map((joint) => gltf.nodes[joint].name), clip: gltf.animations[0].name};
 };
 
 const shell = `<!DOCTYPE html><style>body { margin: 0 }</style>
@@ -27,6 +26,7 @@ const shell = `<!DOCTYPE html><style>body { margin: 0 }</style>
 <script type="module">
 import * as THREE from 'three';
 import { GLTFLoader } from '/three/examples/jsm/loaders/GLTFLoader.js';
+import { MeshoptDecoder } from '/three/examples/jsm/libs/meshopt_decoder.module.js';
 const size = 640;
 const renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
 renderer.setSize(size, size);
@@ -34,25 +34,25 @@ document.body.append(renderer.domElement);
 const scene = new THREE.Scene();
 scene.background = new THREE.Color(0xffffff);
 scene.add(new THREE.HemisphereLight(0xffffff, 0x888888, 3));
-new GLTFLoader().load('/model.glb', (gltf) => {
+new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).load('/model.glb', (gltf) => {
   scene.add(gltf.scene);
   let skinned;
   gltf.scene.traverse((node) => { if (node.isSkinnedMesh) skinned = node; });
   const mixer = new THREE.AnimationMixer(gltf.scene);
   const clip = gltf.animations[0];
   mixer.clipAction(clip).play();
-  const pose = (time) => {
+  const pose = (time, share = 8) => {
     mixer.setTime(time);
     scene.updateMatrixWorld(true);
     skinned.skeleton.update();
     const places = [], count = skinned.geometry.attributes.position.count;
-    for (let i = 0; i < count; i += Math.ceil(count / 200)) {
+    for (let i = 0; i < count; i += share) {
       const v = skinned.getVertexPosition(i, new THREE.Vector3());
       places.push([v.x, v.y, v.z]);
     }
     return places;
   };
-  const box = new THREE.Box3().setFromPoints(pose(0).map((p) => new THREE.Vector3(...p)));
+  const box = new THREE.Box3().setFromPoints(pose(0, 1).map((p) => new THREE.Vector3(...p)));
   const middle = box.getCenter(new THREE.Vector3()), reach = box.getSize(new THREE.Vector3()).length() / 2;
   const camera = new THREE.OrthographicCamera(-reach, reach, reach, -reach, 0.1, 10 * reach);
   camera.position.set(middle.x + 1.5 * reach, middle.y + reach, middle.z + 4 * reach);
@@ -74,7 +74,9 @@ const browser = await chromium.launch({
   executablePath: chromiumPath, headless: true,
   args: ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
 });
-try {
+// The picture's pixels at the first key, and how far the surface moves to the second.
+async function shown(bytes) {
+  const expected = described(bytes);
   const page = await browser.newPage({viewport: {width: 640, height: 640}});
   const complaints = [];
   page.on('console', (message) => {
@@ -103,7 +105,7 @@ try {
   const first = await page.evaluate(() => window.at(0));
   const later = await page.evaluate(() => window.at(1));
   assert.ok(first.flat().every(Number.isFinite), 'every vertex is somewhere');
-  const moved = Math.max(...first.map((p, i) => Math.hypot(...p.map((x, c) => x - later[i][c]))));
+  const moved = first.reduce((most, p, i) => Math.max(most, Math.hypot(...p.map((x, c) => x - later[i][c]))), 0);
   assert.ok(moved > 0.1 * found.reach, `frames moves the surface by ${moved}`);
 
   await page.evaluate(() => window.at(0));
@@ -124,10 +126,25 @@ try {
         : 4 + (r - g) / (most - least);
       hues.add(Math.round((hue + 6) % 6));
     }
-    return hues.size;
+    return {hues: hues.size, pixels: [...pixels].filter((_, i) => i % 28 < 4)};
   }, png.toString('base64'));
-  assert.ok(colours >= 3, `the texture is seen: ${colours} hues`);
+  assert.ok(colours.hues >= 3, `the texture is seen: ${colours.hues} hues`);
   assert.deepEqual(complaints, []);
+  await page.close();
+  return {pixels: colours.pixels, moved};
+}
+
+try {
+  let before;
+  for (const model of models) {
+    const now = await shown(readFileSync(model));
+    if (before) {
+      const off = now.pixels.filter((value, i) => Math.abs(value - before.pixels[i]) > 16).length;
+      assert.ok(off < 0.005 * now.pixels.length, `${model} differs in ${off} of ${now.pixels.length} values`);
+      assert.ok(Math.abs(now.moved - before.moved) < 0.05 * before.moved, `${model} moves otherwise`);
+    }
+    before = now;
+  }
 } finally {
   await browser.close();
 }

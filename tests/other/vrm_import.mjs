@@ -1,13 +1,13 @@
 // What @pixiv/three-vrm makes of an avatar, in Chromium: humanoid, meta, T-pose, first person, and
 // a spring that swings.
-//   node vrm_import.mjs PACKAGES AVATAR.vrm
+//   node vrm_import.mjs PACKAGES AVATAR.vrm…
 // PACKAGES: where npm installed tests/package.json. Exit status 77 where Chromium or they are missing.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 
-const [packages, avatar] = process.argv.slice(2);
+const [packages, ...avatars] = process.argv.slice(2);
 const chromiumPath = process.env.ARTISKETCH_CHROMIUM ?? '/usr/bin/chromium';
 const three = join(packages, 'node_modules', 'three');
 const vrm = join(packages, 'node_modules', '@pixiv', 'three-vrm', 'lib', 'three-vrm.module.js');
@@ -23,8 +23,9 @@ const shell = `<!DOCTYPE html>
 <script type="module">
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { VRMLoaderPlugin } from 'three-vrm';
-const loader = new GLTFLoader();
+const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder);
 loader.register((parser) => new VRMLoaderPlugin(parser));
 loader.load('/avatar.vrm', (gltf) => {
   const vrm = gltf.userData.vrm;
@@ -48,7 +49,7 @@ loader.load('/avatar.vrm', (gltf) => {
 }, undefined, (error) => { window.failed = String(error); });
 </script>`;
 
-const served = (path) =>
+const served = (path, avatar) =>
   path === '/' ? ['text/html', shell]
   : path === '/avatar.vrm' ? ['model/gltf-binary', readFileSync(avatar)]
   : path === '/three-vrm.js' ? ['text/javascript', readFileSync(vrm)]
@@ -60,13 +61,13 @@ const browser = await chromium.launch({
   args: ['--headless=new', '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
          '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'],
 });
-try {
+async function look_at(avatar) {
   const page = await browser.newPage();
   const complaints = [];
   page.on('pageerror', (error) => complaints.push(String(error)));
   page.on('console', (message) => ['error', 'warning'].includes(message.type()) && complaints.push(message.text()));
   await page.route('http://model.test/**', (route) => {
-    const answer = served(new URL(route.request().url()).pathname);
+    const answer = served(new URL(route.request().url()).pathname, avatar);
     return answer ? route.fulfill({contentType: answer[0], body: answer[1]})
                   : route.fulfill({status: 404, body: ''});
   });
@@ -100,6 +101,11 @@ try {
   assert.deepEqual(complaints, []);
   console.log(`${avatar}: ${bones.length} bones, springs ${springs.join(', ')}, ` +
               `turned by up to ${(Math.max(...swung) * 180 / Math.PI).toFixed(0)} degrees`);
+  await page.close();
+}
+
+try {
+  for (const avatar of avatars) await look_at(avatar);
 } finally {
   await browser.close();
 }
