@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <new>
 #include <optional>
 
@@ -68,7 +69,7 @@ struct Output {
   std::string path, bytes;
 };
 
-enum class Kind { model, document, picture, report };
+enum class Kind { model, document, picture, report, archive };
 
 // A path to write to, and what it will hold.
 struct Target {
@@ -99,6 +100,11 @@ int write_all(const std::vector<Output>& outputs) {
   return written ? kDone : fail(io_error(written.error().text()));
 }
 
+std::string lower_case(std::string words) {
+  for (char& c : words) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+  return words;
+}
+
 // The ending of an output says what will be in it: another kind's would lie.
 std::optional<std::string> wrong_ending(const std::vector<Target>& targets) {
   constexpr struct {
@@ -124,12 +130,11 @@ std::optional<std::string> wrong_ending(const std::vector<Target>& targets) {
                   {".gltf", {}},
                   {".fbx", {}},
                   {".bvh", {}},
-                  {".zip", {}}};
+                  {".zip", Kind::archive}};
   constexpr const char* kRight[] = {".glb, .vrm, .obj, .stl or .ply", ".artisketch", ".png",
-                                    ".json"};
+                                    ".json", ".zip"};
   for (const Target& target : targets) {
-    std::string ending = std::filesystem::path(target.path).extension().string();
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    const std::string ending = lower_case(std::filesystem::path(target.path).extension().string());
     for (const auto& known : kEndings)
       if (ending == known.ending && known.kind != target.kind)
         return std::string(target.option) + " " + target.path + ": wanted a file that ends in " +
@@ -529,17 +534,38 @@ int render_verb(const Arguments& a) {
   return write_all({{a.out, png_bytes(image)}});
 }
 
+// The sheet's files go beside each other, or into one archive.
 int sprites_verb(Arguments& a) {
-  if (a.json.empty()) a.json = std::filesystem::path(a.out).replace_extension(".json").string();
+  namespace fs = std::filesystem;
+  const fs::path out(a.out);
+  const std::string folder = out.parent_path().empty() ? "" : out.parent_path().string() + "/",
+                    name = out.stem().string();
+  const bool archive = lower_case(out.extension().string()) == ".zip";
+  if (archive && !a.json.empty())
+    return bad_command_line("--json " + a.json + ": goes into the archive; leave it out");
+  std::vector<Target> targets{{"-o", a.out, archive ? Kind::archive : Kind::picture}};
+  if (!archive) {
+    if (a.json.empty()) a.json = folder + name + ".json";
+    targets.push_back({"--json", a.json, Kind::report});
+    if (a.sprites.normals)
+      targets.push_back({"--normals", folder + name + "_n.png", Kind::picture});
+    if (a.sprites.depth) targets.push_back({"--depth", folder + name + "_d.png", Kind::picture});
+  }
   int status = kDone;
-  const std::optional<Model> model =
-      model_to_draw(a, {{"-o", a.out, Kind::picture}, {"--json", a.json, Kind::report}}, status);
+  const std::optional<Model> model = model_to_draw(a, targets, status);
   if (!model) return status;
   a.sprites.pitch = radians(a.pitch);
-  const Result<SpriteSheet> sheet =
-      sprite_sheet(*model, a.sprites, std::filesystem::path(a.out).filename().string());
-  if (!sheet) return fail(bad_input(a.in + ": " + sheet.error().text()));
-  return write_all({{a.json, sheet->json}, {a.out, png_bytes(sheet->image)}});
+  if (archive) {
+    const Result<std::string> bytes = sprite_zip(*model, a.sprites, name);
+    if (!bytes) return fail(bad_input(a.in + ": " + bytes.error().text()));
+    return write_all({{a.out, *bytes}});
+  }
+  const Result<std::vector<FileInside>> files = sprite_files(*model, a.sprites, name);
+  if (!files) return fail(bad_input(a.in + ": " + files.error().text()));
+  std::vector<Output> outputs;
+  for (std::size_t i = 0; i < files->size(); ++i)
+    outputs.push_back({targets[i].path, (*files)[i].bytes});
+  return write_all(outputs);
 }
 
 int skeleton_verb(const Arguments& a) {
@@ -658,7 +684,8 @@ CLI::App& add_render(CLI::App& app, Arguments& a) {
 CLI::App& add_sprites(CLI::App& app, Arguments& a) {
   CLI::App& cut = *app.add_subcommand("sprites", "Draw a clip of a model as a sheet of sprites");
   cut.add_option("IN", a.in, "the model (.glb)")->required();
-  cut.add_option("-o,--output", a.out, "the sheet (.png)")->required();
+  cut.add_option("-o,--output", a.out, "the sheet (.png), or all its files in one (.zip)")
+      ->required();
   cut.add_option("--json", a.json,
                  "where each sprite is, as Aseprite and TexturePacker say it "
                  "(default: beside the sheet)");
@@ -673,6 +700,18 @@ CLI::App& add_sprites(CLI::App& app, Arguments& a) {
       ->check(CLI::Range(0, 64));
   cut.add_option("--pitch", a.pitch, "degrees that it is seen from above")
       ->check(degrees_of_an_angle());
+  cut.add_option("--light", a.sprites.light, "soft (default), toon: two tones, or plain: none")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Light>{
+          {"soft", Light::soft}, {"plain", Light::plain}, {"toon", Light::toon}}));
+  cut.add_flag("--no-ink{false}", a.sprites.ink, "no outline");
+  cut.add_option("--pixels", a.sprites.pixels,
+                 "pixel art in the drawings' colours: each pixel N by N, hard edges")
+      ->check(CLI::Range(1, 16));
+  cut.add_flag("--normals", a.sprites.normals, "a sheet of normals too (NAME_n.png)");
+  cut.add_flag("--depth", a.sprites.depth, "a sheet of depths too (NAME_d.png)");
+  cut.add_option("--layout", a.sprites.layout, "of the JSON: array (default), or hash, by name")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, SheetLayout>{
+          {"array", SheetLayout::array}, {"hash", SheetLayout::hash}}));
   return cut;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/oklab.h"
 #include "base/srgb.h"
 #include "document/line_fit.h"
 
@@ -18,16 +19,6 @@ using Mask = std::vector<std::uint8_t>;
 // Shading changes lightness before anything else: less of it counts. Transparency differs from
 // any colour by at least so much.
 constexpr float kLightness = 0.6f, kTransparency = 0.6f;
-
-// Björn Ottosson's OKLab, of linear sRGB.
-Tone oklab(float r, float g, float b) {
-  const float l = std::cbrt(0.4122214708f * r + 0.5363325363f * g + 0.0514459929f * b),
-              m = std::cbrt(0.2119034982f * r + 0.6806995451f * g + 0.1073969566f * b),
-              s = std::cbrt(0.0883024619f * r + 0.2817188376f * g + 0.6299787005f * b);
-  return {0.2104542553f * l + 0.7936177850f * m - 0.0040720468f * s,
-          1.9779984951f * l - 2.4285922050f * m + 0.4505937099f * s,
-          0.0259040371f * l + 0.7827717662f * m - 0.8086757660f * s, 1};
-}
 
 float apart(const Tone& x, const Tone& y) {
   const float l = x.l - y.l, a = x.a - y.a, b = x.b - y.b, t = x.alpha - y.alpha;
@@ -57,7 +48,8 @@ void read_tones(const Image& drawing, SegmentedImage& image) {
       Tone& tone = image.tones[std::size_t(y) * image.width + x];
       if (sum[3] <= 0) continue;
       const float alpha = sum[3] / float(k * k);
-      tone = oklab(sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3]);
+      const Eigen::Vector3f lab = oklab(sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3]);
+      tone = {lab[0], lab[1], lab[2], 1};
       tone = {kLightness * alpha * tone.l, alpha * tone.a, alpha * tone.b, kTransparency * alpha};
     }
 }

@@ -12,15 +12,14 @@
 namespace artisketch {
 namespace {
 
-using Light = Eigen::Vector3f;  // linear red, green, blue
+using Linear = Eigen::Vector3f;  // red, green, blue
 
-Light linear(unsigned rrggbb) {
+Linear linear(unsigned rrggbb) {
   return {to_linear((rrggbb >> 16 & 255) / 255.0f), to_linear((rrggbb >> 8 & 255) / 255.0f),
           to_linear((rrggbb & 255) / 255.0f)};
 }
 
 constexpr unsigned kClay = 0xD4AC8C;
-constexpr unsigned kInk = 0x2A211D;
 
 // ---------------------------------------------------------------- shading
 
@@ -30,34 +29,42 @@ const Vec3 kFillDirection = Vec3(0.80, 0.10, 0.55).normalized();
 const Vec3 kRimDirection = Vec3(0.45, 0.65, -0.62).normalized();
 
 struct Material {
-  Light albedo;
+  Linear albedo;
   float shine = 0.05f;
 };
 
 // n, eye: unit vectors in view space, eye toward the viewer. open, key: light that is not blocked.
-Light shade(const Material& material, const Eigen::Vector3f& n, const Eigen::Vector3f& eye,
-            float open, float key) {
+Linear shade(const Material& material, const Eigen::Vector3f& n, const Eigen::Vector3f& eye,
+             float open, float key) {
   const Eigen::Vector3f key_direction = kKeyDirection.cast<float>(),
                         fill_direction = kFillDirection.cast<float>(),
                         rim_direction = kRimDirection.cast<float>();
   const float up = 0.5f + 0.5f * n.y();
-  const Light ambient = (1 - up) * Light(0.17f, 0.14f, 0.13f) + up * Light(0.34f, 0.38f, 0.44f);
-  // Light that wraps a little round the edge of the shade reads as a soft, large lamp.
+  const Linear ambient = (1 - up) * Linear(0.17f, 0.14f, 0.13f) + up * Linear(0.34f, 0.38f, 0.44f);
+  // Linear that wraps a little round the edge of the shade reads as a soft, large lamp.
   const auto wrapped = [](float c, float wrap) { return std::max((c + wrap) / (1 + wrap), 0.0f); };
   const float lit = wrapped(n.dot(key_direction), 0.08f) * (0.10f + 0.90f * key);
   const float filled = wrapped(n.dot(fill_direction), 0.4f) * open;
-  Light light = ambient * (0.12f + 0.88f * open) + lit * Light(1.16f, 1.08f, 0.97f) +
-                filled * Light(0.10f, 0.12f, 0.15f);
+  Linear light = ambient * (0.12f + 0.88f * open) + lit * Linear(1.16f, 1.08f, 0.97f) +
+                 filled * Linear(0.10f, 0.12f, 0.15f);
   const float grazing = 1 - std::clamp(n.dot(eye), 0.0f, 1.0f);
   const float rim = grazing * grazing * grazing * wrapped(n.dot(rim_direction), 0.5f) * open;
   float glint = std::max(n.dot((key_direction + eye).normalized()), 0.0f);
   for (int doubling = 0; doubling < 5; ++doubling) glint *= glint;  // to the 32nd power
   glint *= key;
-  return material.albedo.cwiseProduct(light) + Light::Constant(material.shine * glint) +
-         rim * Light(0.30f, 0.31f, 0.33f);
+  return material.albedo.cwiseProduct(light) + Linear::Constant(material.shine * glint) +
+         rim * Linear(0.30f, 0.31f, 0.33f);
 }
 
-Light texel(const Image& texture, const Vec2& uv) {
+// As cels are painted: a tone where the key light falls, a darker and cooler one where not.
+Linear two_tones(const Linear& albedo, const Eigen::Vector3f& n, float key) {
+  constexpr float kParted = 0.12f, kHalf = 0.5f;
+  const Linear shade(0.52f, 0.50f, 0.60f);
+  const bool lit = n.dot(kKeyDirection.cast<float>()) > kParted && key > kHalf;
+  return lit ? albedo : Linear(albedo.cwiseProduct(shade));
+}
+
+Linear texel(const Image& texture, const Vec2& uv) {
   const double x = std::clamp(uv.x(), 0.0, 1.0) * texture.width - 0.5;
   const double y = std::clamp(uv.y(), 0.0, 1.0) * texture.height - 0.5;
   const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
@@ -66,11 +73,11 @@ Light texel(const Image& texture, const Vec2& uv) {
     i = std::clamp(i, 0, texture.width - 1);
     j = std::clamp(j, 0, texture.height - 1);
     const std::uint8_t* p = texture.at(i, j);
-    return Light(p[0], p[1], p[2]);
+    return Linear(p[0], p[1], p[2]);
   };
-  const Light s = ((1 - wy) * ((1 - wx) * at(x0, y0) + wx * at(x0 + 1, y0)) +
-                   wy * ((1 - wx) * at(x0, y0 + 1) + wx * at(x0 + 1, y0 + 1))) /
-                  255;
+  const Linear s = ((1 - wy) * ((1 - wx) * at(x0, y0) + wx * at(x0 + 1, y0)) +
+                    wy * ((1 - wx) * at(x0, y0 + 1) + wx * at(x0 + 1, y0 + 1))) /
+                   255;
   return {to_linear(s.x()), to_linear(s.y()), to_linear(s.z())};
 }
 
@@ -84,8 +91,9 @@ struct Shot {
   std::vector<double> distance;  // before the camera
   FrameCamera camera;            // in samples
   Visible seen;
-  std::vector<Light> light;  // per sample, where a face is seen
-  std::vector<float> ink;    // per sample, the outline's opacity
+  std::vector<Linear> light;   // per sample, where a face is seen
+  std::vector<Linear> normal;  // the same as Look has it, where asked for
+  std::vector<float> ink;      // per sample, the outline's opacity
 
   bool perspective() const { return camera.camera.type == Camera::Type::perspective; }
 };
@@ -121,10 +129,11 @@ Vec3 weights_at(const Shot& shot, const Triangles& F, int face, int x, int y) {
                         shot.samples[F(face, 2)], w);
 }
 
-void shade_samples(const Shape& shape, const Eigen::VectorXd& key, Shot& shot) {
+void shade_samples(const Shape& shape, const Eigen::VectorXd& key, const Look& look, Shot& shot) {
   const Triangles& F = shape.mesh.F;
   const bool textured = shape.texture && !shape.texcoords.empty();
-  shot.light.assign(shot.seen.face.size(), Light::Zero());
+  shot.light.assign(shot.seen.face.size(), Linear::Zero());
+  if (look.normals) shot.normal = shot.light;
   for (int y = 0; y < shot.seen.height; ++y)
     for (int x = 0; x < shot.seen.width; ++x) {
       const std::size_t at = std::size_t(y) * shot.seen.width + x;
@@ -148,9 +157,13 @@ void shade_samples(const Shape& shape, const Eigen::VectorXd& key, Shot& shot) {
       const Vec3 eye = shot.perspective()
                            ? Vec3((Vec3(0, 0, shot.camera.camera.distance) - p).normalized())
                            : Vec3(0, 0, 1);
-      const Material material{textured ? texel(*shape.texture, uv) : Light(tint.cast<float>())};
-      shot.light[at] =
-          shade(material, n.normalized().cast<float>(), eye.cast<float>(), float(open), float(lit));
+      const Material material{textured ? texel(*shape.texture, uv) : Linear(tint.cast<float>())};
+      const Eigen::Vector3f unit = n.normalized().cast<float>();
+      if (look.normals) shot.normal[at] = (unit + Eigen::Vector3f::Ones()) / 2;
+      shot.light[at] = look.light == Light::plain ? material.albedo
+                       : look.light == Light::toon
+                           ? two_tones(material.albedo, unit, float(lit))
+                           : shade(material, unit, eye.cast<float>(), float(open), float(lit));
     }
 }
 
@@ -204,31 +217,51 @@ void draw_outline(const Shape& shape, double line_width, Shot& shot) {
     }
 }
 
-// Puts the samples together into pixels of the image, whose pixel (x, y) is the shot's first.
-void develop(const Shot& shot, int left, int top, Image& image) {
-  const Light ink = linear(kInk);
+// A pixel's samples put together, and the alpha that they come to. sample(i): what is on it, and
+// how much of the sample it covers.
+template <class Sample, class Encode>
+void develop(const Shot& shot, int left, int top, Image& image, Sample sample, Encode encode) {
   const int n = shot.per_pixel;
   for (int y = 0; y < shot.seen.height / n; ++y)
     for (int x = 0; x < shot.seen.width / n; ++x) {
-      Light sum = Light::Zero();
+      Linear sum = Linear::Zero();
       float alpha = 0;
       for (int s = 0; s < n * n; ++s) {
-        const std::size_t at =
-            std::size_t(y * n + s / n) * shot.seen.width + std::size_t(x * n + s % n);
-        const float body = shot.seen.face[at] >= 0 ? 1 : 0, line = shot.ink[at];
-        sum += line * ink + (1 - line) * body * shot.light[at].cwiseMin(1.0f);
-        alpha += line + (1 - line) * body;
+        const std::pair<Linear, float> one =
+            sample(std::size_t(y * n + s / n) * shot.seen.width + std::size_t(x * n + s % n));
+        sum += one.first;
+        alpha += one.second;
       }
       if (alpha == 0) continue;
       std::uint8_t* p = image.at(left + x, top + y);
-      for (int c = 0; c < 3; ++c) p[c] = std::uint8_t(255 * to_srgb(sum[c] / alpha) + 0.5f);
+      for (int c = 0; c < 3; ++c) p[c] = std::uint8_t(255 * encode(sum[c] / alpha) + 0.5f);
       p[3] = std::uint8_t(255 * alpha / (n * n) + 0.5f);
     }
 }
 
+void develop_colours(const Shot& shot, int left, int top, Image& image) {
+  const Linear ink = linear(kInkColour);
+  const auto sample = [&](std::size_t at) {
+    const float body = shot.seen.face[at] >= 0 ? 1 : 0, line = shot.ink[at];
+    return std::pair<Linear, float>(line * ink + (1 - line) * body * shot.light[at].cwiseMin(1.0f),
+                                    line + (1 - line) * body);
+  };
+  develop(shot, left, top, image, sample, [](float v) { return to_srgb(v); });
+}
+
+// Numbers, not light: they are stored as they are.
+template <class Value>
+void develop_map(const Shot& shot, int left, int top, Image& image, Value value) {
+  const auto sample = [&](std::size_t at) {
+    const bool body = shot.seen.face[at] >= 0;
+    return std::pair<Linear, float>(body ? value(at) : Linear(Linear::Zero()), body ? 1 : 0);
+  };
+  develop(shot, left, top, image, sample, [](float v) { return std::clamp(v, 0.0f, 1.0f); });
+}
+
 }  // namespace
 
-Shape shape_of(const Model& model, const Pose* pose, bool by_joint) {
+Shape shape_of(const Model& model, const Pose* pose, bool by_joint, bool hollows) {
   Shape shape;
   shape.mesh = model.mesh;
   if (pose) shape.mesh.V = posed_vertices(model.mesh.V, model.weights, model.skeleton, *pose);
@@ -246,24 +279,33 @@ Shape shape_of(const Model& model, const Pose* pose, bool by_joint) {
     shape.texture = &*model.texture;
     shape.texcoords = model.texcoords;
   }
-  shape.ambient = ambient_occlusion(shape.mesh, shape.normals);
+  shape.ambient = hollows ? ambient_occlusion(shape.mesh, shape.normals)
+                          : Eigen::VectorXd(Eigen::VectorXd::Ones(n));
   return shape;
 }
 
 Image render_shape(const Shape& shape, const Transform& view, const FrameCamera& camera, int width,
                    int height) {
-  constexpr double kLineWidth = 1.5;  // pixels
-  constexpr double kLamp = 0.16;      // the key light's radius, one unit away
-  constexpr double kMargin = 2;       // pixels round what the shape covers
-  Image image(width, height, 0);
+  return render_pictures(shape, view, camera, width, height, {}).colours;
+}
+
+Pictures render_pictures(const Shape& shape, const Transform& view, const FrameCamera& camera,
+                         int width, int height, const Look& look) {
+  constexpr double kLamp = 0.16;  // the key light's radius, one unit away
+  constexpr double kMargin = 2;   // pixels round what the shape covers
+  Pictures out;
+  out.colours = Image(width, height, 0);
+  if (look.normals) out.normals = out.colours;
+  if (look.depth) out.depth = out.colours;
   Shot shot;
+  shot.per_pixel = look.samples;
   shot.camera = in_samples(camera, shot.per_pixel);
   project(shape, view, shot);
   Box2 box;
   for (const Vec2& p : shot.samples)
     if (std::abs(p.x()) <= kFarthestPixel && std::abs(p.y()) <= kFarthestPixel)
       box.extend(p / shot.per_pixel);
-  if (box.isEmpty()) return image;
+  if (box.isEmpty()) return out;
   const auto within = [](double v, int n) { return int(std::clamp(v, 0.0, double(n))); };
   const int left = within(box.min().x() - kMargin, width),
             top = within(box.min().y() - kMargin, height),
@@ -274,10 +316,25 @@ Image render_shape(const Shape& shape, const Transform& view, const FrameCamera&
   shot.seen = raster_triangles(
       shot.samples, distances, shot.perspective() ? distances : std::span<const double>(),
       shape.mesh.F, (right - left) * shot.per_pixel, (bottom - top) * shot.per_pixel);
-  shade_samples(shape, lamp_light({shot.V, shape.mesh.F}, shot.N, kKeyDirection, kLamp), shot);
-  draw_outline(shape, kLineWidth, shot);
-  develop(shot, left, top, image);
-  return image;
+  const bool lit = look.light != Light::plain;
+  shade_samples(shape,
+                lit ? lamp_light({shot.V, shape.mesh.F}, shot.N, kKeyDirection, kLamp)
+                    : Eigen::VectorXd(Eigen::VectorXd::Ones(shot.V.rows())),
+                look, shot);
+  if (look.ink)
+    draw_outline(shape, look.line_width, shot);
+  else
+    shot.ink.assign(shot.seen.face.size(), 0.0f);
+  develop_colours(shot, left, top, out.colours);
+  if (look.normals)
+    develop_map(shot, left, top, out.normals, [&](std::size_t at) { return shot.normal[at]; });
+  if (look.depth)
+    develop_map(shot, left, top, out.depth, [&](std::size_t at) {
+      const double z =
+          (shot.perspective() ? shot.camera.camera.distance : 0) - double(shot.seen.depth[at]);
+      return Linear(Linear::Constant(float((z - look.farthest) / (look.nearest - look.farthest))));
+    });
+  return out;
 }
 
 }  // namespace artisketch
