@@ -42,6 +42,9 @@ constexpr double kContradicted = 0.15;
 // Of the prior's width, what the first frame's pose then gets, which was set with the most care;
 // and what moves nothing that would show.
 constexpr double kFirstShare = 0.5, kLeastFirstShare = 0.02;
+// Times what they weigh else, landmarks weigh so much more where drawings contradict each other
+// wholly: a part drawn longer or wider has its middle where it had it.
+constexpr double kMiddlesLast = 2;
 constexpr double kPriorShare = 0.27;  // of the limits: the prior's standard deviation at its widest
 constexpr double kPriorScale = 0.05;  // standard deviation of a frame's log scale
 
@@ -375,6 +378,8 @@ Result<Calibration> calibrate_rays(const Document& document, Run& run) {
   }
   PoseSolver fine(document, residuals, loose, prior, run);
   PoseEnergy measured = kNarrowKernel;
+  measured.landmarks.centroid *= 1 + kMiddlesLast * contradiction;
+  measured.landmarks.bone *= 1 + kMiddlesLast * contradiction;
   for (int i = 0; i < kRefinements; ++i) {
     const double mean = robust(best.change) / residuals.contour_length();
     measured.noise = std::max(kNoisePerMean * (1 + contradiction) * mean, kLeastNoise);

@@ -6,15 +6,15 @@
 #include <Eigen/Dense>
 
 namespace artisketch {
-namespace {
 
-// A point of the part's bone (or its joint), about which a part without a depth of its own lies.
 Vec3 middle_of_bones(const Part& part) {
   if (part.bones.empty()) return part.origin;
   Vec3 sum = Vec3::Zero();
   for (const Bone& bone : part.bones) sum += (bone.a + bone.b) / 2;
   return sum / double(part.bones.size());
 }
+
+namespace {
 
 // Half the outline's width across its narrow side, in pixels: the extent of its points along the
 // axis of their least deviation.

@@ -70,6 +70,9 @@ struct Carving {
   bool one_direction() const { return spread <= kOneDirection; }
 };
 
+// A point of the part's bones (or its joint), about which a part without a depth of its own lies.
+Vec3 middle_of_bones(const Part& part);
+
 // The closed outlines of the part's own views. `cells` along the longest side sets the rasters'
 // resolution. Fails where no view has a closed outline.
 Result<Carving> carving_of(const Part& part, int cells);

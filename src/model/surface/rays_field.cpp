@@ -8,6 +8,7 @@
 #include "model/surface/bulge.h"
 #include "model/surface/inflate.h"
 #include "model/surface/mirror.h"
+#include "model/surface/proportions.h"
 #include "model/surface/thin_parts.h"
 
 namespace artisketch {
@@ -175,7 +176,8 @@ void cut_to(const Grid3<float>& surface, Grid3<float>& hull) {
 
 }  // namespace
 
-Result<RaysField> rays_field(const Part& part, const RaysFieldOptions& options, Run& run) {
+Result<RaysField> rays_field(const Part& given, const RaysFieldOptions& options, Run& run) {
+  const Part part = in_proportion(given);
   RaysField out;
   Result<Carving> carving = carving_with_mirrors(part, options.cells);
   if (!carving) return carving.error();
