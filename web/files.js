@@ -15,6 +15,7 @@ function browserFiles(kept, tell) {
     glb: {description: 'glTF model', accept: {'model/gltf-binary': ['.glb']}},
     obj: {description: 'Wavefront model', accept: {'model/obj': ['.obj']}},
     stl: {description: 'STL model', accept: {'model/stl': ['.stl']}},
+    ply: {description: 'PLY model', accept: {'model/ply': ['.ply']}},
     png: {description: 'Picture', accept: {'image/png': ['.png']}},
   };
   const images = {description: 'Drawings', accept: {'image/*': [

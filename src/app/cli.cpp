@@ -255,9 +255,13 @@ void print_summary(const std::string& out, std::size_t bytes, const Document& do
               int(document.frames.size()), int(result.parts.size()),
               int(result.model.mesh.F.rows()), document.skeleton.size(), bytes / 1e6);
   std::printf("fit to the drawings:");
-  for (std::size_t f = 0; f < result.fits.size(); ++f)
-    std::printf("%s %s %.1f %%", f ? "," : "", document.frames[f].name.c_str(),
-                100 * result.fits[f].iou);
+  for (std::size_t f = 0; f < result.fits.size(); ++f) {
+    std::printf("%s %s ", f ? "," : "", document.frames[f].name.c_str());
+    if (is_posed(document, int(f)))
+      std::printf("%.1f %%", 100 * result.fits[f].iou);
+    else
+      std::printf("not posed yet");
+  }
   std::printf("\n%s\n", unseen_sides_words(document, unseen_sides(result.calibrated)).c_str());
   std::printf("time:");
   double total = 0;
@@ -586,7 +590,8 @@ int skeleton_verb(const Arguments& a) {
 void add_run_flags(CLI::App& verb, Arguments& a) {
   verb.add_option("IN", a.in, "the sketch document (.artisketch)")->required();
   verb.add_option("--method", a.method, "paper: every step as published; rays: ours")
-      ->check(CLI::IsMember({"paper", "rays"}));
+      ->check(CLI::IsMember(
+          std::vector<std::string>(std::begin(kMethodNames), std::end(kMethodNames))));
   verb.add_option("--report", a.report, "what was done and how well it fits, as JSON");
   verb.add_flag("--quiet", a.quiet, "print nothing but warnings and errors");
   verb.add_flag("--progress", a.progress, "show progress even where standard error is no terminal");

@@ -75,7 +75,7 @@ constexpr JobRequest::Kind last_choice(JobRequest::Kind) {
   return JobRequest::Kind::spheres;
 }
 constexpr Method last_choice(Method) {
-  return Method::rays;
+  return Method(std::size(kMethodNames) - 1);
 }
 constexpr Camera::Type last_choice(Camera::Type) {
   return Camera::Type::perspective;

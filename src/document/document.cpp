@@ -40,6 +40,21 @@ std::vector<std::vector<Vec2>> closed_contours(const Frame& frame, int joint) {
   return closed_polygons(contours_of(frame, joint));
 }
 
+bool is_posed(const Document& document, int frame) {
+  return frame == 0 || document.frames[frame].posed;
+}
+
+Document with_posed_contours(Document document) {
+  const auto tells = [&](int f) {
+    return is_posed(document, f) && !document.frames[f].contours.empty();
+  };
+  bool any = false;
+  for (int f = 0; f < int(document.frames.size()); ++f) any = any || tells(f);
+  for (int f = 0; any && f < int(document.frames.size()); ++f)
+    if (!is_posed(document, f)) document.frames[f].contours.clear();
+  return document;
+}
+
 std::vector<int> drawn_joints(const Document& document) {
   std::set<int> joints;
   for (const Frame& frame : document.frames)

@@ -30,6 +30,8 @@ struct Frame {
   std::optional<Vec2> principal_point;  // pixels; absent: the image's centre
   double scale = 1;                     // orthographic cameras: times pixels_per_unit
   Pose pose;                            // the user's estimate
+  bool posed = true;                    // false: added, and nobody has given it a pose yet
+  std::vector<int> set_joints;          // joints that a person has turned: no guess may
   std::vector<Contour> contours;
   std::vector<int> hidden;  // joints whose part the drawing doesn't show (is_hidden)
   std::string unknown;
@@ -114,6 +116,14 @@ std::vector<std::vector<Vec2>> closed_contours(const Frame& frame, int joint);
 // Whether the drawing doesn't show the joint's part, as the artist says: where it has an outline
 // all the same, that counts.
 bool is_hidden(const Frame& frame, int joint);
+
+// Whether the frame's pose is somebody's word. The first frame's is: it is what others are told
+// from.
+bool is_posed(const Document& document, int frame);
+
+// The document as it tells of the figure's shape: without the contours of frames that nobody has
+// posed yet, which would carve the parts from wrong sides. As it is where no other has any.
+Document with_posed_contours(Document document);
 
 // Joints that carry a contour in at least one frame, ascending.
 std::vector<int> drawn_joints(const Document& document);

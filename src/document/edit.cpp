@@ -63,9 +63,10 @@ Pose fitted_rest_pose(const Document& document, const Frame& frame) {
 }
 
 Document with_frame(Document document, Frame frame) {
-  if (int(frame.pose.rotations.size()) != document.skeleton.size())
-    frame.pose =
-        document.frames.empty() ? fitted_rest_pose(document, frame) : document.frames.back().pose;
+  if (int(frame.pose.rotations.size()) != document.skeleton.size()) {
+    frame.posed = document.frames.empty();
+    frame.pose = frame.posed ? fitted_rest_pose(document, frame) : document.frames.back().pose;
+  }
   document.frames.push_back(std::move(frame));
   return document;
 }
@@ -93,8 +94,41 @@ Document with_frame_copied(Document document, int frame) {
   return document;
 }
 
+namespace {
+void set_by_hand(Frame& frame, int joint) {
+  std::vector<int>& set = frame.set_joints;
+  const auto at = std::lower_bound(set.begin(), set.end(), joint);
+  if (at == set.end() || *at != joint) set.insert(at, joint);
+}
+}  // namespace
+
 Document with_pose(Document document, int frame, Pose pose) {
+  Frame& changed = document.frames.at(frame);
+  const std::vector<Quat>&was = changed.pose.rotations, &now = pose.rotations;
+  for (int j = 0; j < int(std::min(was.size(), now.size())); ++j) {
+    if (was[j].coeffs() == now[j].coeffs()) continue;
+    changed.posed = true;
+    set_by_hand(changed, j);
+  }
+  changed.pose = std::move(pose);
+  return document;
+}
+
+Document with_guessed_pose(Document document, int frame, Pose pose, int set_joint) {
   document.frames.at(frame).pose = std::move(pose);
+  if (set_joint >= 0) set_by_hand(document.frames[frame], set_joint);
+  return with_frame_posed(std::move(document), frame);
+}
+
+Document with_rest_pose(Document document, int frame) {
+  Pose rest = fitted_rest_pose(document, document.frames.at(frame));
+  document = with_guessed_pose(std::move(document), frame, std::move(rest));
+  document.frames[frame].set_joints.clear();
+  return document;
+}
+
+Document with_frame_posed(Document document, int frame) {
+  document.frames.at(frame).posed = true;
   return document;
 }
 

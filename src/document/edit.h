@@ -33,12 +33,21 @@ std::vector<int> parts_to_draw(const Document& document);
 // ---------------------------------------------------------------- frames
 
 // A drawing at the end of the strip, in the pose of the last one (the rest pose, fitted to the
-// drawing, where there is none).
+// drawing, where there is none). That is where posing it begins: until then it isn't posed.
 Document with_frame(Document document, Frame frame);
 Document without_frame(Document document, int frame);
 Document with_frame_moved(Document document, int frame, int to);
 Document with_frame_copied(Document document, int frame);  // right after it
+// A person's pose: joints that it turns count as set by hand, and the frame as posed, unless the
+// body was only moved.
 Document with_pose(Document document, int frame, Pose pose);
+// A pose that was guessed: the frame counts as posed, and no joint as set but the one, if any, that
+// the person decided about.
+Document with_guessed_pose(Document document, int frame, Pose pose, int set_joint = -1);
+// The rest pose, with no joint set by hand.
+Document with_rest_pose(Document document, int frame);
+// The pose as it is, said to be right.
+Document with_frame_posed(Document document, int frame);
 // At the poses and scales of another document of as many drawings and joints; as it is where those
 // differ.
 Document with_poses_of(Document document, const Document& other);

@@ -215,6 +215,8 @@ Quat ball_turn(const Vec2& from, const Vec2& to, double radius) {
 
 Document with_pose_copied(Document document, int from, int to) {
   document.frames.at(to).pose.rotations = document.frames.at(from).pose.rotations;
+  document.frames[to].set_joints = document.frames[from].set_joints;
+  document.frames[to].posed = true;
   return document;
 }
 

@@ -87,6 +87,7 @@ Document with_numbers(Document document, Skeleton skeleton, const std::vector<in
     for (Contour& contour : frame.contours)
       contour.joint = contour.joint == kNone ? kNone : heir[contour.joint];
     frame.hidden = renumbered(frame.hidden, now);
+    frame.set_joints = renumbered(frame.set_joints, now);
   }
   each_pose(document, [&](Pose& pose) {
     std::vector<Quat> rotations(std::size_t(skeleton.size()), Quat::Identity());

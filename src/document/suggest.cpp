@@ -5,16 +5,31 @@
 
 #include <Eigen/Dense>
 
+#include "document/joint_limits.h"
 #include "document/posing.h"
 
 namespace artisketch {
 namespace {
 
-constexpr int kStarts = 16;     // sides from which the body may be seen
-constexpr int kSteps = 14;      // of Gauss–Newton from each
-constexpr double kCalm = 0.02;  // what a radian of bend costs, in heights of the figure
+constexpr int kStarts = 16;      // sides from which a body may be seen that nobody has turned yet
+constexpr int kSteps = 14;       // of Gauss–Newton from each
+constexpr double kCalm = 0.02;   // what a radian of bend costs, in heights of the figure
+constexpr double kStiff = 0.1;   // the same for a trunk
+constexpr double kStay = 0.05;   // what a radian costs that the body is turned from where it was
+constexpr double kLimit = 0.25;  // what a radian costs beyond what joints can do
 constexpr double kUpright = 0.01;
 constexpr double kOutlier = 0.06;  // heights; places farther off than this count ever less
+
+// A rival is worth a look where its joints lie so far from the better ones' in the mean, in
+// heights, and where it explains the drawing nearly as well.
+constexpr double kApart = 0.06;
+constexpr double kNearlyAsGood = 3, kGood = 2e-4;  // times the best's cost, and costs
+constexpr std::size_t kMostRivals = 3;
+
+Vec3 turn_of(const Quat& rotation) {
+  const Eigen::AngleAxisd turn(rotation);
+  return std::remainder(turn.angle(), 2 * kPi) * turn.axis();
+}
 
 // A place on a part and where the drawing shows it.
 struct Place {
@@ -127,13 +142,18 @@ class Search {
   Search(const Document& document, int frame)
       : skeleton_(document.skeleton),
         camera_(frame_camera(document, frame)),
+        mine_(document.frames[frame].pose),
+        posed_(is_posed(document, frame)),
         places_(places_in(document, frame)) {
     std::vector<char> carries(skeleton_.joints.size(), 0);
     for (const Place& place : places_) carries[place.joint] = 1;
     for (int j = skeleton_.size() - 1; j > 0; --j)
       if (carries[j]) carries[skeleton_.joints[j].parent] = 1;
-    for (int j = 0; j < skeleton_.size(); ++j)
-      if (carries[j]) free_.push_back(j);
+    const std::vector<int>& set = document.frames[frame].set_joints;
+    for (int j = 0; j < skeleton_.size(); ++j) {
+      limits_.push_back(joint_limits(skeleton_, j));
+      if (carries[j] && !std::binary_search(set.begin(), set.end(), j)) free_.push_back(j);
+    }
     Box3 box;
     for (const Vec3& joint : rest_positions(skeleton_)) box.extend(joint);
     height_ = std::max(1e-6, box.sizes().maxCoeff());
@@ -142,19 +162,20 @@ class Search {
   bool possible() const { return places_.size() >= 3; }
   const std::vector<int>& free() const { return free_; }
 
-  // The body turned about the upright, limbs as in `like`, over the places seen.
-  Pose start(const Pose& like, double yaw) const {
-    Pose pose = like;
-    for (const int j : free_) pose.rotations[j] = Quat::Identity();
-    pose.rotations[0] = Quat(Eigen::AngleAxisd(yaw, Vec3::UnitY()));
-    const std::vector<Transform> posed = posed_joints(skeleton_, pose);
-    Vec3 off = Vec3::Zero();
-    for (const Place& place : places_) {
-      const Vec3 here = posed[place.joint] * place.at;
-      off += camera_.ray(place.seen).at_z(here.z()) - here;
+  // Where the search begins: at the body's own turn and a little to both sides of it, limbs as they
+  // are and at rest; of a body that nobody has turned, from all sides.
+  std::vector<Pose> starts() const {
+    if (free_.empty() || free_[0] != 0) return {mine_, start(mine_.rotations[0])};
+    std::vector<Pose> all;
+    if (posed_) {
+      all.push_back(mine_);
+      for (const double aside : {0.0, -0.5, 0.5})
+        all.push_back(start(Quat(Eigen::AngleAxisd(aside, Vec3::UnitY())) * mine_.rotations[0]));
+    } else {
+      for (int k = 0; k < kStarts; ++k)
+        all.push_back(start(Quat(Eigen::AngleAxisd(2 * kPi * k / kStarts, Vec3::UnitY()))));
     }
-    pose.root_position += off / double(places_.size());
-    return pose;
+    return all;
   }
 
   Pose settled(Pose pose, int steps) const {
@@ -192,6 +213,18 @@ class Search {
     return pose;
   }
 
+  // Whether the joints lie elsewhere, seen from the root.
+  bool differ(const Pose& a, const Pose& b) const {
+    const std::vector<Transform> here = posed_joints(skeleton_, a),
+                                 there = posed_joints(skeleton_, b);
+    double sum = 0;
+    for (std::size_t j = 0; j < here.size(); ++j)
+      sum += ((here[j].translation() - here[0].translation()) -
+              (there[j].translation() - there[0].translation()))
+                 .norm();
+    return sum > kApart * height_ * double(here.size());
+  }
+
   double cost_of(const Pose& pose) const {
     const Eigen::VectorXd r = residuals(pose);
     const Eigen::Index seen = 2 * Eigen::Index(places_.size());
@@ -204,6 +237,21 @@ class Search {
   }
 
  private:
+  // The body turned so, what may turn at rest, over the places seen.
+  Pose start(const Quat& turn) const {
+    Pose pose = mine_;
+    for (const int j : free_) pose.rotations[j] = Quat::Identity();
+    pose.rotations[0] = turn;
+    const std::vector<Transform> posed = posed_joints(skeleton_, pose);
+    Vec3 off = Vec3::Zero();
+    for (const Place& place : places_) {
+      const Vec3 here = posed[place.joint] * place.at;
+      off += camera_.ray(place.seen).at_z(here.z()) - here;
+    }
+    pose.root_position += off / double(places_.size());
+    return pose;
+  }
+
   int unknowns() const { return 3 + 3 * int(free_.size()); }
 
   Pose moved(Pose pose, const Eigen::VectorXd& d) const {
@@ -218,11 +266,12 @@ class Search {
     return pose;
   }
 
-  // In heights of the figure: two per place, three per joint for its bend, two for uprightness, one
-  // for the root's depth.
+  // In heights of the figure: two per place; three per joint for its bend (for the root, its turn
+  // from where it was), three for what no joint can do; two for uprightness, one for the root's
+  // depth.
   Eigen::VectorXd residuals(const Pose& pose) const {
     const std::vector<Transform> posed = posed_joints(skeleton_, pose);
-    Eigen::VectorXd r(2 * Eigen::Index(places_.size()) + 3 * Eigen::Index(free_.size()) + 3);
+    Eigen::VectorXd r(2 * Eigen::Index(places_.size()) + 6 * Eigen::Index(free_.size()) + 3);
     Eigen::Index i = 0;
     const double unit = height_ * camera_.pixels_per_unit(0);
     for (const Place& place : places_) {
@@ -235,10 +284,13 @@ class Search {
       i += 2;
     }
     for (const int j : free_) {
-      const Eigen::AngleAxisd turn(pose.rotations[j]);
-      const double angle = std::remainder(turn.angle(), 2 * kPi);
-      r.segment<3>(i) = (j == 0 ? 0 : kCalm) * angle * turn.axis();
-      i += 3;
+      const Vec3 turn = turn_of(pose.rotations[j]);
+      r.segment<3>(i) = j > 0 ? (is_trunk(skeleton_, j) ? kStiff : kCalm) * turn
+                        : posed_
+                            ? kStay * turn_of(mine_.rotations[0].conjugate() * pose.rotations[0])
+                            : Vec3(Vec3::Zero());
+      r.segment<3>(i + 3) = kLimit * (j > 0 ? beyond(limits_[j], turn) : Vec3(Vec3::Zero()));
+      i += 6;
     }
     const Vec3 up = pose.rotations[0] * Vec3::UnitY();
     r[i++] = kUpright * up.x();
@@ -258,6 +310,9 @@ class Search {
 
   const Skeleton& skeleton_;
   FrameCamera camera_;
+  const Pose& mine_;
+  bool posed_;
+  std::vector<JointLimits> limits_;  // by joint
   std::vector<Place> places_;
   std::vector<int> free_;
   double height_ = 1;
@@ -265,24 +320,43 @@ class Search {
 
 }  // namespace
 
-Pose suggested_pose(const Document& document, int frame) {
+std::vector<Pose> suggested_poses(const Document& document, int frame) {
   const Pose& mine = document.frames.at(frame).pose;
   const Search search(document, frame);
-  if (!search.possible()) return mine;
-  Pose best = mine;
-  double least = 1e300;
-  for (int k = 0; k < kStarts; ++k) {
-    Pose pose = search.settled(search.start(mine, 2 * kPi * k / kStarts), kSteps);
-    if (const double cost = search.cost_of(pose); cost < least) least = cost, best = pose;
+  if (!search.possible()) return {mine};
+  struct Found {
+    double cost;
+    Pose pose;
+  };
+  std::vector<Found> found;
+  for (const Pose& start : search.starts()) {
+    Pose pose = search.settled(start, kSteps);
+    const double cost = search.cost_of(pose);
+    found.push_back({cost, std::move(pose)});
   }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Found& a, const Found& b) { return a.cost < b.cost; });
   // Each limb may have settled on the wrong side of the paper.
+  Found best = found[0];
   for (const int joint : search.free()) {
-    if (joint == 0 || !leans(document.skeleton, best, joint)) continue;
+    if (joint == 0 || !leans(document.skeleton, best.pose, joint)) continue;
     const Pose other = search.settled(
-        with_bone_flipped(document.skeleton, best, end_of_bone(document.skeleton, joint)), kSteps);
-    if (const double cost = search.cost_of(other); cost < least) least = cost, best = other;
+        with_bone_flipped(document.skeleton, best.pose, end_of_bone(document.skeleton, joint)),
+        kSteps);
+    if (const double cost = search.cost_of(other); cost < best.cost) best = {cost, other};
   }
-  return search.settled(best, 2 * kSteps);
+  std::vector<Pose> poses = {search.settled(best.pose, 2 * kSteps)};
+  for (const Found& rival : found) {
+    if (poses.size() == kMostRivals || rival.cost > kNearlyAsGood * best.cost + kGood) break;
+    if (std::all_of(poses.begin(), poses.end(),
+                    [&](const Pose& pose) { return search.differ(pose, rival.pose); }))
+      poses.push_back(rival.pose);
+  }
+  return poses;
+}
+
+Pose suggested_pose(const Document& document, int frame) {
+  return suggested_poses(document, frame)[0];
 }
 
 Pose with_lean_flipped(const Document& document, int frame, const Pose& pose, int joint) {

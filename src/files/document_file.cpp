@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <unordered_map>
 
@@ -9,6 +10,7 @@
 #include "document/animate.h"
 #include "files/bytes.h"
 #include "files/json_reader.h"
+#include "model/stages.h"
 
 namespace artisketch {
 namespace {
@@ -274,6 +276,13 @@ void Reader::frame(const Json& value, const JsonPath& at, int index) {
       contour((*v)[i], contours / i, frame_words(index, frame.name), frame.contours[i]);
   }
   if (const Json* v = fields.find("hidden")) joints(*v, at / "hidden", frame.hidden);
+  if (const Json* v = fields.find("posed")) boolean(*v, at / "posed", frame.posed);
+  if (const Json* v = fields.find("set_joints")) {
+    joints(*v, at / "set_joints", frame.set_joints);
+    std::vector<int>& set = frame.set_joints;
+    std::sort(set.begin(), set.end());
+    set.erase(std::unique(set.begin(), set.end()), set.end());
+  }
   frame.unknown = fields.unknown();
 }
 
@@ -456,10 +465,15 @@ void Reader::settings(const Json& value, const JsonPath& at) {
   bool yes = false;
   if (const Json* v = fields.find("grid"); v && whole(*v, at / "grid", kGrid, n)) settings.grid = n;
   if (const Json* v = fields.find("method")) {
-    if (*v == "paper" || *v == "rays")
+    const auto named = [&](const char* name) { return *v == name; };
+    if (std::any_of(std::begin(kMethodNames), std::end(kMethodNames), named)) {
       settings.method = v->get<std::string>();
-    else
-      wrong(at / "method", *v, "'paper' or 'rays'");
+    } else {
+      std::string names;
+      for (const char* name : kMethodNames)
+        names += (names.empty() ? "" : " or ") + in_quotes(name);
+      wrong(at / "method", *v, names.c_str());
+    }
   }
   if (const Json* v = fields.find("mirror"); v && boolean(*v, at / "mirror", yes))
     settings.mirror = yes;

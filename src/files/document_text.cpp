@@ -145,6 +145,8 @@ Json Writer::frame(const Frame& frame) const {
     contours.push_back(with_unknown(std::move(one), contour.unknown));
   }
   for (const int joint : frame.hidden) out["hidden"].push_back(name(joint));
+  if (!frame.posed) out["posed"] = false;
+  for (const int joint : frame.set_joints) out["set_joints"].push_back(name(joint));
   return with_unknown(std::move(out), frame.unknown);
 }
 

@@ -2,11 +2,13 @@
 // part, make them one skin, bind that to the skeleton.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 
 #include "base/blocking.h"
 #include "base/words.h"
+#include "document/place_words.h"
 #include "model/rig/snap_rims.h"
 #include "model/stage_clock.h"
 #include "model/stages.h"
@@ -29,8 +31,8 @@ void name_specks(const Document& document, const std::vector<Part>& parts,
       const Frame& frame = document.frames[view.frame];
       const std::size_t specks = contours_of(frame, part.joint).size() - view.contours.size();
       if (specks > 0)
-        warnings.push_back("frame " + std::to_string(view.frame + 1) + " '" + frame.name +
-                           "': " + (specks == 1 ? "a speck" : std::to_string(specks) + " specks") +
+        warnings.push_back(frame_words(document, view.frame) + ": " +
+                           (specks == 1 ? "a speck" : std::to_string(specks) + " specks") +
                            " of a few pixels beside the outline of '" + part.name +
                            "' can be neither a hole nor a piece of it, and counts for nothing");
     }
@@ -43,6 +45,16 @@ void name_missed_triangles(int made, int wanted, std::vector<std::string>& warni
                      std::to_string(wanted) +
                      (made > wanted ? ": with fewer its surface would fold"
                                     : ": its surface has no more to show"));
+}
+
+// Drawings that say nothing yet, since nobody has posed them.
+void name_unposed(const Document& document, std::vector<std::string>& warnings) {
+  for (int f = 0; f < int(document.frames.size()); ++f)
+    if (!is_posed(document, f) && !document.frames[f].contours.empty())
+      warnings.push_back(
+          frame_words(document, f) +
+          " isn't posed yet: neither its outlines nor its colours are used. Pose its "
+          "skeleton, or let a pose be suggested");
 }
 
 // Says where drawings leave the depth to guess though there are several.
@@ -59,10 +71,24 @@ void warn_of_one_side(const Document& document, const std::vector<Part>& parts,
         "are is a guess. A drawing from another side would tell");
 }
 
+// The drawings as large as parts are worked on, and empty where nobody has posed them. Kept in
+// `made` where they differ from those given.
+std::span<const Image> worked_on(const Document& document, std::span<const Image> drawings,
+                                 int scale, std::vector<Image>& made) {
+  bool posed = true;
+  for (int f = 0; f < int(document.frames.size()); ++f) posed = posed && is_posed(document, f);
+  if (posed && scale == 1) return drawings;
+  for (std::size_t f = 0; f < drawings.size(); ++f)
+    made.push_back(is_posed(document, int(f)) ? enlarged(drawings[f], scale) : Image());
+  return made;
+}
+
 }  // namespace
 
 Method method_named(const std::string& name, Method otherwise) {
-  return name == "paper" ? Method::paper : name == "rays" ? Method::rays : otherwise;
+  for (std::size_t m = 0; m < std::size(kMethodNames); ++m)
+    if (name == kMethodNames[m]) return Method(m);
+  return otherwise;
 }
 
 PipelineOptions with_settings(PipelineOptions options, const DocumentSettings& settings) {
@@ -92,11 +118,13 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   }
 
   stages.start("surfaces", 0.3, 0.8);
-  std::vector<Part> parts = parts_of(out.calibrated);
-  name_specks(out.calibrated, parts, out.warnings);
-  warn_of_one_side(out.calibrated, parts, out.warnings);
-  const int scale = working_scale(out.calibrated);
-  const Document drawn = enlarged(out.calibrated, scale);
+  name_unposed(document, out.warnings);
+  const Document posed = with_posed_contours(out.calibrated);
+  std::vector<Part> parts = parts_of(posed);
+  name_specks(posed, parts, out.warnings);
+  warn_of_one_side(posed, parts, out.warnings);
+  const int scale = working_scale(posed);
+  const Document drawn = enlarged(posed, scale);
   for (Part& part : parts) part = enlarged(std::move(part), scale);
   if (options.mirror) add_mirrored_views(drawn, parts);
   double cells = 0, part_vertices = 0;
@@ -126,7 +154,7 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   if (run.trace) run.trace->add("skin simplified", *mesh);
 
   stages.start("weights", 0.9, 0.95);
-  Result<Weights> weights = skin(out.calibrated, out.parts, *mesh, run);
+  Result<Weights> weights = skin(posed, out.parts, *mesh, run);
   if (!weights) return weights.error();
   stages.finish({{"unknowns", double(mesh->V.rows())}});
 
@@ -143,11 +171,8 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   if (options.texture && std::any_of(drawings.begin(), drawings.end(),
                                      [](const Image& drawing) { return !drawing.empty(); })) {
     stages.start("texture", 0.95, 0.97);
-    std::vector<Image> larger;
-    if (scale > 1)
-      for (const Image& drawing : drawings) larger.push_back(enlarged(drawing, scale));
-    Result<Model> model =
-        textured(drawn, scale > 1 ? std::span<const Image>(larger) : drawings, out.model, run);
+    std::vector<Image> made;
+    Result<Model> model = textured(drawn, worked_on(posed, drawings, scale, made), out.model, run);
     if (!model) return model.error();
     out.model = std::move(*model);
     const double texels =
@@ -156,7 +181,7 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   }
 
   stages.start("fit", 0.97, 1);
-  out.fits = measure_fit(out.calibrated, out.model, out.parts);
+  out.fits = measure_fit(posed, out.model, out.parts);
   stages.finish({});
   run.report(1);
   return out;

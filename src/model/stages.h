@@ -24,10 +24,11 @@ namespace artisketch {
 
 enum class Method {
   paper,  // every step as the paper describes it
-  rays,   // the same inputs and outputs by rays and interpolants (DESIGN of each stage in its file)
+  rays,   // the same inputs and outputs by rays and interpolants, as each stage's file tells
 };
 inline constexpr Method kDefaultMethod = Method::rays;
-// "paper" or "rays"; otherwise what is given.
+inline constexpr const char* kMethodNames[] = {"paper", "rays"};  // by Method
+// The method of that name; otherwise what is given.
 Method method_named(const std::string& name, Method otherwise);
 
 // ---------------------------------------------------------------- calibration (section 2)

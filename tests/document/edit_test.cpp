@@ -6,6 +6,7 @@
 
 #include "document/history.h"
 #include "document/outline_edit.h"
+#include "document/posing.h"
 
 namespace artisketch {
 namespace {
@@ -158,6 +159,47 @@ TEST(Strokes, AStrokeThatEndsElsewhereStaysOpenAndKeepsItsEnds) {
 TEST(Strokes, ADotIsNoOutline) {
   const std::vector<Vec2> dot = {{5, 5}, {5, 5}, {5.2, 5}};
   EXPECT_FALSE(outline_of_stroke(dot, {}));
+}
+
+Document with_second_drawing() {
+  Frame frame;
+  frame.name = "side";
+  frame.width = frame.height = 400;
+  return with_frame(figure(), frame);
+}
+
+TEST(Frames, ADrawingThatIsAddedWaitsForItsPose) {
+  const Document document = with_second_drawing();
+  ASSERT_EQ(document.frames.size(), 2u);
+  EXPECT_TRUE(is_posed(document, 0));
+  EXPECT_FALSE(is_posed(document, 1));
+
+  Pose moved = document.frames[1].pose;
+  moved.root_position.x() += 1;
+  EXPECT_FALSE(is_posed(with_pose(document, 1, moved), 1)) << "laid over the figure, no more";
+
+  moved.rotations[2] = Quat(Eigen::AngleAxisd(0.3, Vec3::UnitZ()));
+  const Document posed = with_pose(document, 1, moved);
+  EXPECT_TRUE(is_posed(posed, 1));
+  EXPECT_EQ(posed.frames[1].set_joints, std::vector<int>{2});
+
+  const Document guessed = with_guessed_pose(document, 1, moved);
+  EXPECT_TRUE(is_posed(guessed, 1));
+  EXPECT_TRUE(guessed.frames[1].set_joints.empty());
+
+  EXPECT_TRUE(is_posed(with_frame_posed(document, 1), 1));
+  EXPECT_TRUE(is_posed(with_pose_copied(document, 0, 1), 1));
+  EXPECT_TRUE(with_rest_pose(posed, 1).frames[1].set_joints.empty());
+  EXPECT_TRUE(is_posed(without_frame(document, 0), 0)) << "the first is what others are told from";
+}
+
+TEST(Frames, OutlinesOfADrawingWithoutAPoseSayNothing) {
+  Document document = with_second_drawing();
+  document = with_contour(document, 1, {0, circle({200, 200}, 50), ""});
+  EXPECT_EQ(with_posed_contours(document).frames[1].contours.size(), 1u) << "there are no others";
+  document = with_contour(document, 0, {0, circle({200, 200}, 50), ""});
+  EXPECT_TRUE(with_posed_contours(document).frames[1].contours.empty());
+  EXPECT_EQ(with_posed_contours(with_frame_posed(document, 1)).frames[1].contours.size(), 1u);
 }
 
 TEST(Frames, TheOtherCameraShowsDepthZeroAsLarge) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "document/edit.h"
+#include "document/joint_limits.h"
 #include "document/posing.h"
 #include "figures.h"
 
@@ -100,6 +101,66 @@ TEST(Suggest, TheOtherLeanShowsMuchTheSame) {
     ++tried;
   }
   EXPECT_GT(tried, 1);
+}
+
+TEST(Suggest, JointsSetByHandStay) {
+  std::vector<Pose> truth;
+  Document document = unposed(figures::hero(), Camera::Type::perspective, 9, truth);
+  const int arm = document.skeleton.find("upper_arm.L");
+  Pose mine = document.frames[1].pose;
+  mine.rotations[std::size_t(arm)] = Quat(Eigen::AngleAxisd(1.2, Vec3::UnitZ()));
+  document = with_pose(document, 1, mine);
+  for (const Pose& pose : suggested_poses(document, 1))
+    EXPECT_EQ(pose.rotations[std::size_t(arm)].coeffs(), mine.rotations[std::size_t(arm)].coeffs());
+}
+
+// The right turn, roughly given, is never turned back, whatever other side explains the places too.
+TEST(Suggest, ABodyThatIsTurnedStaysNearItsTurn) {
+  for (const std::uint64_t seed : {3, 4, 5}) {
+    std::vector<Pose> truth;
+    Document document = unposed(figures::hero(), Camera::Type::orthographic, seed, truth);
+    for (int f = 1; f < 3; ++f) {
+      Pose turned = document.frames[std::size_t(f)].pose;
+      turned.rotations[0] =
+          Quat(Eigen::AngleAxisd(0.2, Vec3::UnitY())) * truth[std::size_t(f)].rotations[0];
+      const Document given = with_guessed_pose(document, f, turned);
+      const Quat found = suggested_pose(given, f).rotations[0];
+      EXPECT_LT(degrees(found.angularDistance(truth[std::size_t(f)].rotations[0])), 30)
+          << seed << " " << f;
+    }
+  }
+}
+
+TEST(Suggest, RivalsDifferAndAreFew) {
+  for (const std::uint64_t seed : {7, 8, 9}) {
+    std::vector<Pose> truth;
+    const Document document = unposed(figures::human(1), Camera::Type::orthographic, seed, truth);
+    const std::vector<Pose> poses = suggested_poses(document, 1);
+    ASSERT_FALSE(poses.empty());
+    EXPECT_LE(poses.size(), 3u);
+    for (std::size_t a = 0; a < poses.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        EXPECT_GT(off(document, 1, poses[a], poses[b]).units, 0.02) << seed;
+  }
+}
+
+// Elbows and knees that bend the other way, necks wrung round: no body can.
+TEST(Suggest, NoJointTurnsFartherThanBodiesCan) {
+  for (const std::uint64_t seed : {11, 12, 13}) {
+    std::vector<Pose> truth;
+    const Document document = unposed(figures::hero(), Camera::Type::orthographic, seed, truth);
+    const Skeleton& skeleton = document.skeleton;
+    for (int f = 1; f < 3; ++f) {
+      const Pose pose = suggested_pose(document, f);
+      for (const int joint : drawn_joints(document)) {
+        if (joint == 0) continue;
+        const Eigen::AngleAxisd turn(pose.rotations[std::size_t(joint)]);
+        const Vec3 vector = std::remainder(turn.angle(), 2 * kPi) * turn.axis();
+        EXPECT_LT(degrees(beyond(joint_limits(skeleton, joint), vector).norm()), 15)
+            << skeleton.joints[std::size_t(joint)].name << " " << seed << " " << f;
+      }
+    }
+  }
 }
 
 TEST(Suggest, WithoutOutlinesThePoseStays) {

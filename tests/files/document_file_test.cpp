@@ -187,6 +187,22 @@ TEST(DocumentFile, RotationsAreKeptOrNormalised) {
   EXPECT_FALSE(with("[0, 0, 0, 0]"));
 }
 
+TEST(DocumentFile, WhoPosedADrawingIsKept) {
+  auto document = parse_document(spoilt("\"pose\":", R"("posed": false,
+      "set_joints": ["arm.L", "body", "arm.L"], "pose":)"),
+                                 "F");
+  ASSERT_TRUE(document) << document.error().text();
+  const Frame& frame = document->frames[0];
+  EXPECT_FALSE(frame.posed);
+  EXPECT_EQ(frame.set_joints, (std::vector<int>{0, 1}));
+  const auto again = parse_document(document_text(*document), "F");
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_FALSE(again->frames[0].posed);
+  EXPECT_EQ(again->frames[0].set_joints, frame.set_joints);
+  for (const char* wrong : {R"("posed": 1, "pose":)", R"("set_joints": ["nobody"], "pose":)"})
+    EXPECT_FALSE(parse_document(spoilt("\"pose\":", wrong), "F")) << wrong;
+}
+
 TEST(DocumentFile, AMotionsJointsAreMappedInOrder) {
   const std::string with = spoilt(
       "\"animations\":",

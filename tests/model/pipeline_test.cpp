@@ -1,4 +1,6 @@
 // The whole run on the examples, as a user would have it.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "files/document_file.h"
@@ -25,9 +27,7 @@ void expect_sound(const Model& model) {
 
 class Pipeline : public testing::TestWithParam<Method> {};
 INSTANTIATE_TEST_SUITE_P(Methods, Pipeline, testing::Values(Method::paper, Method::rays),
-                         [](const auto& info) {
-                           return info.param == Method::paper ? "paper" : "rays";
-                         });
+                         [](const auto& info) { return kMethodNames[int(info.param)]; });
 
 TEST_P(Pipeline, TwoCirclesGiveASphere) {
   PipelineOptions options;
@@ -162,6 +162,33 @@ TEST(Pipeline, StopsWhenAsked) {
   const auto result = reconstruct(example("heart"), {}, run);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().kind, Error::Kind::cancelled);
+}
+
+// A new drawing has the pose of the one before it, until somebody gives it its own: outlined
+// already, it would carve the body from a wrong side.
+TEST(PipelineAlone, ADrawingWithoutAPoseShapesNothing) {
+  PipelineOptions options;
+  options.grid = 32;
+  options.triangles = 2000;
+  artisketch::Run run;
+  const Document hero = example("hero");
+  Document without = hero;
+  without.frames[2].contours.clear();
+  const auto two = reconstruct(without, options, run);
+  ASSERT_TRUE(two);
+
+  Document unposed = hero;
+  unposed.frames[2].posed = false;
+  unposed.frames[2].pose = unposed.frames[1].pose;
+  const auto made = reconstruct(unposed, options, run);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->model.mesh.V, two->model.mesh.V);
+  EXPECT_EQ(made->model.mesh.F, two->model.mesh.F);
+  EXPECT_EQ(made->calibrated.frames[2].contours.size(), hero.frames[2].contours.size());
+  const auto told = std::count_if(
+      made->warnings.begin(), made->warnings.end(),
+      [](const std::string& words) { return words.find("isn't posed yet") != words.npos; });
+  EXPECT_EQ(told, 1);
 }
 
 }  // namespace

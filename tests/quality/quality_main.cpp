@@ -239,8 +239,8 @@ bool read_options(int count, char** words, Options& options) {
       options.pipeline.visual_hull = true;
     } else if (word == "--method") {
       const std::string method = value();
-      if (method != "paper" && method != "rays") return false;
-      options.pipeline.method = method == "paper" ? Method::paper : Method::rays;
+      options.pipeline.method = method_named(method, kDefaultMethod);
+      if (method != kMethodNames[int(options.pipeline.method)]) return false;
     } else {
       return false;
     }

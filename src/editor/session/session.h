@@ -66,6 +66,7 @@ struct Proposal {
   std::vector<PartCoverage> coverage;
   // At the calibrated poses; nothing until they are made.
   std::vector<FrameFit> fits;
+  std::vector<std::string> warnings;
   std::vector<LivePart> parts;
   std::shared_ptr<BuiltModel> model;
   std::vector<bool> taken;  // per joint
@@ -83,6 +84,12 @@ struct Leanings {
 struct Bend {
   int frame = -1;             // that a pose was suggested for; −1: nothing to choose
   Derived<Leanings, int> of;  // by joint
+};
+
+// Poses that were suggested for a drawing, to choose from while one of them is its pose.
+struct Rivals {
+  int frame = -1;
+  std::vector<Pose> poses;  // the best first
 };
 
 // What a traced outline came from: it can be traced again with another tolerance.
@@ -203,8 +210,11 @@ struct Session {
   std::optional<NewOutline> new_outline;
   std::optional<Proposal> proposal;
   Bend bend;
+  Rivals rivals;
   Naming naming;
   SideDrag side_drag;
+  bool notes_shown = false;
+  float notes_scroll = 0;             // points
   std::optional<int> moving_drawing;  // dragged along the strip
   std::set<int> missing_seen;         // drawings whose missing parts need no more words (tablets)
   std::shared_ptr<BuiltModel> built;

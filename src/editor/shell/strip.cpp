@@ -121,7 +121,11 @@ void card(App& app, int f, const Rect& place, bool slim, bool narrow) {
   if (slim) return;
   Rect mark = row.cut_top(line);
   const ImVec2 at{mark.x + 6, mark.centre().y};
-  if (c.off > 0) {
+  if (!is_posed(app.document(), f)) {
+    write_icon(at, IconSize::small, t.warning, icon::kAlert);
+    mark.cut_left(18);
+    write(mark, Font::caption, t.warning, narrow ? "no pose" : "not posed yet");
+  } else if (c.off > 0) {
     write_icon(at, IconSize::small, t.warning, icon::kAlert);
     mark.cut_left(18);
     write(mark, Font::caption, t.warning,

@@ -108,10 +108,23 @@ std::string nothing_to_compare(const Document& document) {
   return "no joint has closed contours in two frames: there is nothing to calibrate poses by";
 }
 
+// What a method is asked for are poses and scales alone: comparing, refusing what is worse, and
+// explaining are the same for all.
+Result<Calibration> calibrate_by(Method method, const Document& document, Run& run) {
+  switch (method) {
+    case Method::paper:
+      return calibrate_paper(document, run);
+    case Method::rays:
+      return calibrate_rays(document, run);
+  }
+  return calibrate_rays(document, run);
+}
+
 }  // namespace
 
-Result<Calibration> calibrate(const Document& document, const CalibrateOptions& options, Run& run) {
+Result<Calibration> calibrate(const Document& whole, const CalibrateOptions& options, Run& run) {
   fix_blocking();
+  const Document document = with_posed_contours(whole);
   Calibration result = unmoved(document);
   const RayResiduals rays = RayResiduals(document, kPixel, kMostPixels).thinned(kMostMet);
   const std::vector<Coverage> before = coverage(document, rays, result.poses, result.scales);
@@ -119,8 +132,7 @@ Result<Calibration> calibrate(const Document& document, const CalibrateOptions& 
   if (const std::string why = nothing_to_compare(document); !why.empty()) {
     result.warnings.push_back(why);
   } else {
-    Result<Calibration> found = options.method == Method::paper ? calibrate_paper(document, run)
-                                                                : calibrate_rays(document, run);
+    Result<Calibration> found = calibrate_by(options.method, document, run);
     if (!found) return found.error();
     after = coverage(document, rays, found->poses, found->scales);
     if (mean_share(after) < mean_share(before)) {

@@ -19,6 +19,7 @@
 #include <optional>
 
 #include "base/trigonometry.h"
+#include "document/place_words.h"
 #include "model/calibrate/calibration_words.h"
 #include "model/calibrate/pose_solver.h"
 
@@ -79,7 +80,7 @@ std::vector<char> frames_that_move(const Document& document,
   for (int f = 0; f < int(parts.size()); ++f) {
     const bool enough = parts[f] > 0 && parts[f] >= kEnoughParts * most;
     moves.push_back(enough && (f > 0 || first));
-    if (!enough)
+    if (!enough && !document.frames[f].contours.empty())
       warnings.push_back(frame_words(document, f) + ": just " + std::to_string(parts[f]) +
                          " of its parts can be compared with other frames: its pose stays as " +
                          "given");

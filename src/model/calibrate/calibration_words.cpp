@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "base/words.h"
+#include "document/place_words.h"
 #include "model/calibrate/drawn_size.h"
 
 namespace artisketch {
@@ -224,10 +225,6 @@ void name_open_angles(const Document& document, const RayResiduals& rays, Calibr
 }
 
 }  // namespace
-
-std::string frame_words(const Document& document, int frame) {
-  return "frame " + std::to_string(frame + 1) + " '" + document.frames[frame].name + "'";
-}
 
 void explain(const Document& document, const RayResiduals& rays, std::span<const Coverage> after,
              Calibration& result) {

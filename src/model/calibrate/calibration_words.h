@@ -14,7 +14,4 @@ namespace artisketch {
 void explain(const Document& document, const RayResiduals& rays, std::span<const Coverage> after,
              Calibration& result);
 
-// "frame 3 'side'".
-std::string frame_words(const Document& document, int frame);
-
 }  // namespace artisketch

@@ -8,6 +8,7 @@
 
 #include <Eigen/Dense>
 
+#include "document/place_words.h"
 #include "model/calibrate/calibration_words.h"
 
 namespace artisketch {

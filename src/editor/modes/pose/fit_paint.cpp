@@ -97,8 +97,10 @@ void paint_tag(const App& app, const PartMarks& part, const Rect& place,
   write(tag, Font::caption_bold, rgb(0xE8EAED), words);
 }
 
-// While a pose is dragged the parts of a moment ago tell enough; after a leap they tell nothing.
+// While a pose is dragged the parts of a moment ago tell enough; after a leap they tell nothing. A
+// drawing without a pose isn't judged.
 bool tell(const App& app) {
+  if (!is_posed(app.document(), app.session.selection.frame)) return false;
   return app.session.live.revision == app.session.history.revision() ||
          ImGui::IsMouseDown(ImGuiMouseButton_Left);
 }

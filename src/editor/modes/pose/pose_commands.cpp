@@ -28,8 +28,12 @@ void lock_or_free(App& app) {
 }
 
 void reset_pose(App& app) {
-  app.session.commit("Reset pose", with_pose(app.document(), app.session.selection.frame,
-                                             fitted_rest_pose(app.document(), app.frame())));
+  app.session.commit("Reset pose", with_rest_pose(app.document(), app.session.selection.frame));
+}
+
+void take_pose_as_it_is(App& app) {
+  app.session.commit("Take pose as it is",
+                     with_frame_posed(app.document(), app.session.selection.frame));
 }
 
 std::string suggest_lacks(const App& app) {
@@ -72,13 +76,27 @@ std::vector<Command> pose_commands() {
        .key = ImGuiKey_C,
        .available = [](const App& app) { return app.document().frames.size() > 1; },
        .run = [](App& app) { app.view.choosing_pose = true; }},
+      {.id = "posed_here",
+       .name = "Right as it is",
+       .icon = icon::kCheck,
+       .about = "The drawing shows the figure in the pose that its skeleton has",
+       .available =
+           [](const App& app) {
+             return app.has_frame() && !is_posed(app.document(), app.session.selection.frame);
+           },
+       .run = take_pose_as_it_is},
       {.id = "reset_pose",
        .name = "Reset",
        .icon = icon::kBackupRestore,
        .available = [](const App& app) { return app.has_frame(); },
        .run = reset_pose},
   };
-  for (Command& command : all) command.mode = Mode::pose, command.in_rail = command.in_menu = true;
+  for (Command& command : all) {
+    command.mode = Mode::pose;
+    command.in_menu = true;
+    command.in_rail =
+        command.id != std::string_view("posed_here");  // the panel has it, where asked
+  }
   return all;
 }
 

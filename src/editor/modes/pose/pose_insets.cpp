@@ -190,7 +190,7 @@ void pose_insets(App& app, const Layout& layout, const Rect& rail, float pixel_r
   // Above the ball; on tablets the tools float there, and it stands beside.
   ImVec2 corner{ball.x, canvas.bottom() - kMargin};
   (layout.tablet ? corner.x : corner.y) += (layout.tablet ? 1 : -1) * (ball.w + kMargin);
-  bend_chooser(app, corner);
+  pose_chooser(app, corner);
   side_view(app, side_place(layout), pixel_ratio);
 }
 

@@ -205,6 +205,21 @@ void proposal_sheet(App& app, Rect place) {
   keep_or_discard(app, answers.cut_top(44));
 }
 
+namespace {
+
+// What a drawing lacks that was just added, and the way out where its pose is right by chance.
+void not_posed_yet(App& app, Rect& place) {
+  const Theme& t = theme();
+  const float used =
+      write_lines(place.inset(16, 0), Font::caption, t.warning,
+                  "Not posed yet: until it is, the drawing shapes and colours nothing.", 18);
+  place.cut_top(used + 6);
+  command_button(app, "posed_here", place.cut_top(36).inset(12, 0));
+  place.cut_top(14);
+}
+
+}  // namespace
+
 void pose_panel(App& app, Rect place) {
   const Theme& t = theme();
   Rect head = place.cut_top(48).inset(16, 0);
@@ -227,6 +242,7 @@ void pose_panel(App& app, Rect place) {
   place.cut_top(8);
   command_button(app, "calibrate", place.cut_top(36).inset(12, 0));
   place.cut_top(14);
+  if (available(app, "posed_here")) not_posed_yet(app, place);
   const bool first =
       app.session.selection.frame == 0 && !app.document().calibration.free_first_frame;
   const float used = write_lines(

@@ -1,4 +1,4 @@
-// A pose from the outlines, and which way its bones lean to choose from.
+// A pose from the outlines; then its rivals, and which way its bones lean, to choose from.
 #pragma once
 
 #include "editor/session/app.h"
@@ -6,6 +6,6 @@
 namespace artisketch {
 
 void suggest_pose(App& app);
-void bend_chooser(App& app, ImVec2 corner);  // its lower left one
+void pose_chooser(App& app, ImVec2 corner);  // its lower left one
 
 }  // namespace artisketch
