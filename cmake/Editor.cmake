@@ -83,6 +83,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/session/file_commands.cpp
   src/editor/session/files.cpp
   src/editor/session/jobs.cpp
+  src/editor/session/notes.cpp
   src/editor/session/live.cpp
   src/editor/session/part_fit.cpp
   src/editor/session/session.cpp
@@ -96,6 +97,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/shell/canvas_menu.cpp
   src/editor/shell/inspector.cpp
   src/editor/shell/model_panel.cpp
+  src/editor/shell/notes_card.cpp
   src/editor/shell/sheets.cpp
   src/editor/shell/sketch_panel.cpp
   src/editor/shell/splitters.cpp

@@ -175,6 +175,7 @@ void Editor::frame(float width, float height, float pixel_ratio) {
       drawing_strip(app, layout);
     inspector(app, layout);
     splitters(app, layout);
+    notes_card(app, layout);
   }
   if (!layout.tablet) status_line(app, layout);
   toasts(app, layout);

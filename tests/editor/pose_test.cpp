@@ -1,8 +1,10 @@
 // Pose: what the tools and commands do to one drawing's pose, and what calibration proposes.
 #include <gtest/gtest.h>
 
+#include "document/edit.h"
 #include "document/posing.h"
 #include "editor/step.h"
+#include "files/document_file.h"
 
 namespace artisketch {
 namespace {
@@ -162,6 +164,7 @@ TEST_F(PoseMode, SuggestFindsAPoseAndAsksWhichWayItBends) {
   h.key(ImGuiKey_S);
   EXPECT_EQ(h.state().undo, "Suggest pose");
   expect_others_as_before();
+  h.click("Keep");  // of the poses that explain the drawing, the one it has
   ASSERT_NE(h.find("Toward you"), nullptr);
   const bool toward = h.active("Toward you");
   begin();
@@ -171,6 +174,77 @@ TEST_F(PoseMode, SuggestFindsAPoseAndAsksWhichWayItBends) {
   EXPECT_TRUE(h.state().undo.ends_with(toward ? " away" : " toward you"));
   h.key(ImGuiKey_Escape);
   EXPECT_EQ(h.find("Toward you"), nullptr);
+}
+
+TEST_F(PoseMode, SuggestLeavesWhatAPersonTurned) {
+  h.drag(h.middle("Joint Hand L"), {10, -40});
+  const Document mine = h.document();
+  h.key(ImGuiKey_S);
+  EXPECT_EQ(h.state().undo, "Suggest pose");
+  for (const int set : mine.frames[0].set_joints)
+    EXPECT_EQ(h.document().frames[0].pose.rotations[std::size_t(set)].coeffs(),
+              mine.frames[0].pose.rotations[std::size_t(set)].coeffs());
+  EXPECT_FALSE(mine.frames[0].set_joints.empty());
+}
+
+// The last drawing as it is when it was just added, but outlined.
+TEST_F(PoseMode, ADrawingWithoutAPoseSaysSoUntilItHasOne) {
+  Document document = h.document();
+  document.frames[2].posed = false;
+  h.open("again.artisketch", document_text(document));
+  h.settle();
+  h.key(ImGuiKey_3);
+  EXPECT_EQ(h.find("Right as it is"), nullptr) << "the first drawing is the reference";
+  h.key(ImGuiKey_Period);
+  h.key(ImGuiKey_Period);
+  begin();
+  ASSERT_NE(h.find("Right as it is"), nullptr);
+  h.click("Right as it is");
+  EXPECT_EQ(h.find("Right as it is"), nullptr);
+  EXPECT_TRUE(is_posed(h.document(), 2));
+  expect_step("Take pose as it is");
+}
+
+TEST_F(PoseMode, NotesOnTheModelAreListedAndLeadToTheirDrawing) {
+  Document document = h.document();
+  document.frames[2].posed = false;
+  h.open("again.artisketch", document_text(document));
+  h.key(ImGuiKey_R);
+  h.settle();
+  EXPECT_TRUE(h.says("The model is ready. There "));
+  h.click("Read");
+  const std::vector<std::string> labels = h.labels();
+  const auto note = std::find_if(labels.begin(), labels.end(), [](const std::string& label) {
+    return label.find("isn't posed yet") != label.npos;
+  });
+  ASSERT_NE(note, labels.end());
+  EXPECT_TRUE(note->starts_with(drawing_words(document, 2))) << *note;
+  h.click(*note);
+  EXPECT_EQ(h.state().frame, 2);
+  h.click("Close notes");
+  EXPECT_EQ(h.find("Close notes"), nullptr);
+}
+
+TEST_F(PoseMode, SuggestShowsItsRivals) {
+  Document document = h.document();
+  document.frames[1].posed = false;
+  document.frames[1].pose = fitted_rest_pose(document, document.frames[1]);
+  h.open("again.artisketch", document_text(document));
+  h.settle();
+  h.key(ImGuiKey_3);
+  h.key(ImGuiKey_Period);
+  h.key(ImGuiKey_S);
+  EXPECT_EQ(h.state().undo, "Suggest pose");
+  const Pose best = h.document().frames[1].pose;
+  ASSERT_NE(h.find("Keep"), nullptr);
+  begin();
+  h.click("Rival 2");
+  EXPECT_FALSE(same_pose(h.document().frames[1].pose, best));
+  expect_step("Take rival pose");
+  h.click("Rival 1");
+  EXPECT_TRUE(same_pose(h.document().frames[1].pose, best));
+  h.click("Keep");
+  EXPECT_EQ(h.find("Keep"), nullptr);
 }
 
 TEST(PoseAlone, SuggestSaysWhatItLacks) {

@@ -3,6 +3,7 @@
 #include "editor/session/app.h"
 #include "editor/session/commands.h"
 #include "editor/session/jobs.h"
+#include "editor/session/notes.h"
 #include "editor/ui/icons.h"
 
 namespace artisketch {
@@ -23,6 +24,10 @@ void step_back(App& app) {
   Session& session = app.session;
   if (app.busy()) {
     app.services.jobs.cancel();
+  } else if (session.notes_shown) {
+    session.notes_shown = false;
+  } else if (!session.rivals.poses.empty()) {
+    session.rivals = {};
   } else if (session.bend.frame >= 0) {
     session.bend = {};
   } else if (session.new_outline) {
@@ -94,6 +99,13 @@ std::vector<Command> edit_commands() {
            },
        .what_it_lacks = calibrate_lacks,
        .run = [](App& app) { start_job(app, JobRequest::Kind::calibrate); }},
+      {.id = "notes",
+       .name = "Notes",
+       .icon = icon::kAlert,
+       .about = "What was noticed on the way, drawing by drawing",
+       .available = [](const App& app) { return !notes_of(app).empty(); },
+       .on = [](const App& app) { return app.session.notes_shown; },
+       .run = [](App& app) { app.session.notes_shown = !app.session.notes_shown; }},
       {.id = "step_back",
        .name = "Step back, stop",
        .icon = icon::kClose,

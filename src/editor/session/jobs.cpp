@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include "base/words.h"
 #include "editor/session/files.h"
 #include "editor/session/live.h"
 #include "files/document_file.h"
@@ -49,10 +50,17 @@ void take_model(App& app, RunningJob job, JobResult result) {
   built->spheres = std::move(result.spheres);
   Toast toast;
   toast.words = "The model is ready.";
-  if (!built->warnings.empty()) toast.words += " " + built->warnings[0];
+  const int notes = int(built->warnings.size());
+  const bool elsewhere = app.view.mode != Mode::result;
+  if (notes > 0) {
+    toast.words +=
+        " There " + std::string(notes == 1 ? "is " : "are ") + counted(notes, "note") + ".";
+    (elsewhere ? toast.other_action : toast.action) = "Read";
+    (elsewhere ? toast.other_act : toast.act) = [&app] { app.session.notes_shown = true; };
+  }
   show_built(app, std::move(*built));
   if (std::exchange(app.session.export_wish.waits, false)) return perform(app, "export_as_it_is");
-  if (app.view.mode != Mode::result) {
+  if (elsewhere) {
     toast.action = "See it move";
     toast.act = [&app] {
       perform(app, "mode_result");
@@ -76,6 +84,7 @@ void take_calibration(App& app, const RunningJob& job, const JobResult& result) 
   Proposal proposal;
   proposal.document = std::move(next);
   proposal.coverage = result.coverage;
+  proposal.warnings = result.warnings;
   proposal.taken.assign(std::size_t(app.document().skeleton.size()), true);
   proposal.since = app.services.now;
   proposal.revision = app.session.history.revision();

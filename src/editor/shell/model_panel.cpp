@@ -1,9 +1,12 @@
 // The model from all sides: orbit, pan, zoom; its surfaces and bones; posing by dragging joints.
 #include <cmath>
 
+#include "base/words.h"
 #include "document/edit.h"
 #include "editor/canvas/controls.h"
 #include "editor/canvas/pointer.h"
+#include "editor/session/command.h"
+#include "editor/session/notes.h"
 #include "editor/session/part_fit.h"
 #include "editor/shell/panels.h"
 
@@ -136,10 +139,20 @@ void model_head(App& app, const Layout& layout) {
   if (text_width(Font::caption, about) <= row.w) write(row, Font::caption, t.muted, about);
 }
 
-void model_foot(const App& app, const Rect& band) {
+void model_foot(App& app, const Rect& band) {
   const Theme& t = theme();
   Rect row = band.inset(16, 0);
   if (!app.shown()) return;
+  if (const int notes = int(notes_of(app).size()); notes > 0) {
+    const std::string label = counted(notes, "note");
+    Look look;
+    look.quiet = true;
+    look.on = app.session.notes_shown;
+    look.hint = command(app, "notes").about;
+    const float width = text_width(Font::body, label) + 20;
+    if (button(label, row.cut_right(width).middle(width, 28), look)) app.ask("notes");
+    row.cut_right(8);
+  }
   const BuiltModel& built = *app.shown();
   int off = 0;
   for (int joint : drawn_joints(app.document()))
@@ -162,6 +175,9 @@ void model_foot(const App& app, const Rect& band) {
     words = std::to_string(app.session.live.parts.size()) +
             (app.session.live.parts.size() == 1 ? " part. " : " parts. ") +
             "Reconstruct joins them.";
+  } else if (!is_posed(app.document(), app.session.selection.frame)) {
+    words = "This drawing isn't posed yet, and not used";
+    good = false;
   } else if (app.session.selection.frame < int(built.fits.size())) {
     words = "Fills " +
             std::to_string(int(built.fits[std::size_t(app.session.selection.frame)].iou * 100)) +

@@ -12,6 +12,7 @@ Rect rail_place(const App& app, const Layout& layout);  // as high as its tools,
 void tool_rail(App& app, const Layout& layout);
 void sketch_panel(App& app, const Layout& layout, float pixel_ratio);
 void model_panel(App& app, const Layout& layout, float pixel_ratio);
+void notes_card(App& app, const Layout& layout);
 void inspector(App& app, const Layout& layout);
 void drawing_strip(App& app, const Layout& layout);
 // The edges between panels, to drag; a double click sets them back.

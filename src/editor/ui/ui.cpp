@@ -1,6 +1,7 @@
 #include "editor/ui/ui.h"
 
 #include <cmath>
+#include <utility>
 
 #include <imgui_internal.h>
 
@@ -147,20 +148,17 @@ void write(const Rect& place, Font which, ImU32 colour, const std::string& text,
                  line.data(), line.data() + line.size());
 }
 
-float write_lines(const Rect& place, Font which, ImU32 colour, const std::string& text,
-                  float line_height) {
-  float y = place.y;
+namespace {
+// Broken at spaces, and where the text itself is.
+std::vector<std::string> broken(Font which, const std::string& text, float width) {
+  std::vector<std::string> lines;
   std::string line;
-  const auto flush = [&] {
-    write({place.x, y, place.w, line_height}, which, colour, line);
-    y += line_height;
-    line.clear();
-  };
+  const auto flush = [&] { lines.push_back(std::exchange(line, {})); };
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
     const std::string word = text.substr(at, end - at);
     const std::string longer = line.empty() ? word : line + " " + word;
-    if (!line.empty() && text_width(which, longer) > place.w) {
+    if (!line.empty() && text_width(which, longer) > width) {
       flush();
       line = word;
     } else {
@@ -170,7 +168,22 @@ float write_lines(const Rect& place, Font which, ImU32 colour, const std::string
     at = end + 1;
   }
   if (!line.empty()) flush();
+  return lines;
+}
+}  // namespace
+
+float write_lines(const Rect& place, Font which, ImU32 colour, const std::string& text,
+                  float line_height) {
+  float y = place.y;
+  for (const std::string& line : broken(which, text, place.w)) {
+    write({place.x, y, place.w, line_height}, which, colour, line);
+    y += line_height;
+  }
   return y - place.y;
+}
+
+float lines_height(Font which, const std::string& text, float width, float line_height) {
+  return line_height * float(broken(which, text, width).size());
 }
 
 void write_icon(ImVec2 centre, IconSize size, ImU32 colour, const char* icon) {

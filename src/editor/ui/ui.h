@@ -39,6 +39,7 @@ void write(const Rect& place, Font font, ImU32 colour, const std::string& text,
 // Broken into lines of the width; gives the height that they take.
 float write_lines(const Rect& place, Font font, ImU32 colour, const std::string& text,
                   float line_height);
+float lines_height(Font font, const std::string& text, float width, float line_height);
 float text_width(Font font, const std::string& text);
 void write_icon(ImVec2 centre, IconSize size, ImU32 colour, const char* icon);
 void shadow(const Rect& place, float radius);

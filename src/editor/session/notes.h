@@ -1,0 +1,14 @@
+// What the program noticed about the drawings, for the person to read.
+#pragma once
+
+#include <vector>
+
+#include "document/place_words.h"
+#include "editor/session/app.h"
+
+namespace artisketch {
+
+// Of the poses that are proposed, where such are, else of the model; in the editor's words.
+std::vector<PlacedWords> notes_of(const App& app);
+
+}  // namespace artisketch

@@ -1,0 +1,83 @@
+// What was noticed on the way, in a card over the model: a press leads to the drawing and the part.
+#include <algorithm>
+
+#include "editor/canvas/controls.h"
+#include "editor/session/command.h"
+#include "editor/session/notes.h"
+#include "editor/shell/panels.h"
+#include "editor/ui/icons.h"
+#include "editor/ui/ui.h"
+
+namespace artisketch {
+namespace {
+
+constexpr float kPad = 12, kHead = 34, kLine = 18, kBetween = 10, kDot = 20;
+
+// Over the model, or at the foot of the drawing where that is small.
+Rect room_for_notes(const Layout& layout) {
+  const Rect& at = layout.inset || layout.tablet ? layout.canvas : layout.view;
+  const float width = std::min(at.w - 2 * kPad, 420.0f);
+  return {at.right() - kPad - width, at.y + 48, width, at.h - 48 - kPad};
+}
+
+void go_to(App& app, const PlacedWords& note) {
+  if (note.frame >= 0) app.session.show_frame(note.frame);
+  if (note.joint >= 0) app.session.selection.joint = note.joint;
+  if (app.view.mode == Mode::result && note.frame >= 0) app.ask("mode_pose");
+}
+
+}  // namespace
+
+void notes_card(App& app, const Layout& layout) {
+  if (!app.session.notes_shown) return;
+  const std::vector<PlacedWords> notes = notes_of(app);
+  if (notes.empty()) {
+    app.session.notes_shown = false;
+    return;
+  }
+  const Theme& t = theme();
+  const Rect room = room_for_notes(layout);
+  const float width = room.w - 2 * kPad - kDot;
+  float needed = kPad - kBetween;
+  for (const PlacedWords& note : notes)
+    needed += lines_height(Font::caption, note.words, width, kLine) + kBetween;
+  const float high = std::min(room.h, kHead + needed);
+  const Rect place{room.x, room.bottom() - high, room.w, high};
+  {
+    const Panel under("Notes shade", place.inset(-8), 0, Panel::Layer::floating);
+    shadow(place, kRadiusPanel);
+  }
+  const Panel panel("Notes", place, t.raised, Panel::Layer::floating, kRadiusPanel);
+  draw().AddRect(place.min(), place.max(), t.line, kRadiusPanel);
+  Rect column = place;
+  Rect head = column.cut_top(kHead).inset(kPad, 0);
+  Look close;
+  close.icon = icon::kClose;
+  close.quiet = true;
+  close.id = "Close notes";
+  if (icon_button("Close notes", head.cut_right(28).middle(28, 28), close)) app.ask("notes");
+  write(head, Font::body_bold, t.text, "Notes");
+
+  float& scroll = app.session.notes_scroll;
+  if (ImGui::IsWindowHovered()) scroll -= 60 * ImGui::GetIO().MouseWheel;
+  scroll = std::clamp(scroll, 0.0f, std::max(0.0f, needed - column.h));
+  draw().PushClipRect(column.min(), column.max(), true);
+  float y = column.y - scroll;
+  for (const PlacedWords& note : notes) {
+    const float tall = lines_height(Font::caption, note.words, width, kLine);
+    Rect row{column.x + kPad, y, kDot + width, tall};
+    const bool leads = note.frame >= 0 || note.joint >= 0;
+    const Press press = press_area(note.words, row, leads);
+    if (press.hovered && leads)
+      draw().AddRectFilled(row.inset(-4).min(), row.inset(-4).max(), faded(t.hover, 0.5f), kRadius);
+    const Rect dot = row.cut_left(kDot);
+    draw().AddCircleFilled({dot.x + 6, dot.y + kLine / 2}, 4,
+                           note.joint >= 0 ? joint_tint(note.joint) : t.warning);
+    write_lines(row, Font::caption, t.text, note.words, kLine);
+    if (press.clicked) go_to(app, note);
+    y += tall + kBetween;
+  }
+  draw().PopClipRect();
+}
+
+}  // namespace artisketch
