@@ -1,6 +1,6 @@
 # The sources of a folder, compiled as one: half the work where they are many, since what templates make is
-# made once. The page and builds that look for mistakes are made so: on this machine each source is compiled
-# with what it includes alone, and an include that one forgot is found.
+# made once. The page and what `./dev check` builds are made so. Where one works each source is compiled by
+# itself, with what it includes alone, and an include that one forgot is found.
 #
 # These call two things alike in namespaces without a name, and are compiled by themselves. Where a name
 # is said to be defined twice, give one a better name, or add its source.
@@ -32,10 +32,8 @@ set(alone
 )
 list(TRANSFORM alone PREPEND "${PROJECT_SOURCE_DIR}/")
 
-set(targets artisketch_figures artisketch_tests artisketch_editor_tests artisketch_thread_tests)
-if(NOT ARTISKETCH_UNITY STREQUAL "tests")
-  list(APPEND targets artisketch_core artisketch_editor)
-endif()
+set(targets artisketch_core artisketch_editor artisketch_figures artisketch_tests artisketch_editor_tests
+  artisketch_thread_tests)
 # What only calls what is tested is run once: compiling it well takes longer than it gains.
 foreach(target IN ITEMS artisketch_tests artisketch_editor_tests artisketch_thread_tests)
   if(TARGET ${target})
