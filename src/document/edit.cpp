@@ -143,6 +143,14 @@ Document with_poses_of(Document document, const Document& other) {
   return document;
 }
 
+Document with_frame_scale(Document document, int frame, double scale) {
+  Frame& changed = document.frames.at(frame);
+  ensure(scale > 0, "a scale");
+  changed.pose.root_position.head<2>() *= changed.scale / scale;
+  changed.scale = scale;
+  return document;
+}
+
 Document with_camera_type(Document document, Camera::Type type) {
   Camera& camera = document.camera;
   if (camera.type == type) return document;

@@ -55,6 +55,10 @@ Document with_poses_of(Document document, const Document& other);
 // one stands four figures' heights away, and before every joint.
 Document with_camera_type(Document document, Camera::Type type);
 
+// How large an orthographic camera shows the figure in that frame (frames[].scale, above 0); its
+// root stays where it is seen.
+Document with_frame_scale(Document document, int frame, double scale);
+
 // A pose that shows the rest pose upright within the middle of the frame: its root position.
 Pose fitted_rest_pose(const Document& document, const Frame& frame);
 

@@ -193,6 +193,16 @@ TEST(Frames, ADrawingThatIsAddedWaitsForItsPose) {
   EXPECT_TRUE(is_posed(without_frame(document, 0), 0)) << "the first is what others are told from";
 }
 
+TEST(Frames, AFiguresSizeInADrawingGrowsAboutItsRoot) {
+  Document document = figure();
+  document.frames[0].pose.root_position = {0.3, 0.7, 0.2};
+  const Vec2 before = frame_camera(document, 0).project(document.frames[0].pose.root_position);
+  const Document larger = with_frame_scale(document, 0, 1.5);
+  const FrameCamera camera = frame_camera(larger, 0);
+  EXPECT_LT((camera.project(larger.frames[0].pose.root_position) - before).norm(), 1e-9);
+  EXPECT_DOUBLE_EQ(camera.pixels_per_unit(0), 150);
+}
+
 TEST(Frames, OutlinesOfADrawingWithoutAPoseSayNothing) {
   Document document = with_second_drawing();
   document = with_contour(document, 1, {0, circle({200, 200}, 50), ""});

@@ -247,6 +247,45 @@ TEST_F(PoseMode, SuggestShowsItsRivals) {
   EXPECT_EQ(h.find("Keep"), nullptr);
 }
 
+class FlatPose : public WithDocument {
+ protected:
+  FlatPose() : WithDocument("fox") { h.key(ImGuiKey_3); }
+};
+
+TEST_F(FlatPose, AFiguresSizeIsSetByItsSlider) {
+  EXPECT_EQ(h.find("Figure's size"), nullptr) << "the first drawing is what others are measured by";
+  h.key(ImGuiKey_Period);
+  const Vec2 root = h.middle("Joint " + joint_words(was.skeleton.joints[0].name).whole());
+  begin();
+  h.drag(h.middle("Figure's size"), {20, 0});
+  EXPECT_GT(h.document().frames[1].scale, was.frames[1].scale);
+  EXPECT_LT((h.middle("Joint " + joint_words(was.skeleton.joints[0].name).whole()) - root).norm(),
+            1);
+  expect_step("Size of " + drawing_words(was, 1));
+}
+
+TEST_F(FlatPose, DrawingsOfOtherSizesAreOfferedTheirScale) {
+  Document document = h.document();
+  Frame& frame = document.frames[1];
+  const Vec2 middle = Vec2(frame.width, frame.height) / 2;
+  for (Contour& contour : frame.contours)
+    for (Vec2& p : contour.line.points) p = middle + 0.7 * (p - middle);
+  frame.pose.root_position.head<2>() *= 0.7;
+  h.open("small.artisketch", document_text(document));
+  h.key(ImGuiKey_R);
+  h.settle();
+  h.click("Read");
+  const std::vector<std::string> labels = h.labels();
+  const auto offer = std::find_if(labels.begin(), labels.end(), [](const std::string& label) {
+    return label.starts_with("Set size in ");
+  });
+  ASSERT_NE(offer, labels.end());
+  begin();
+  h.click(*offer);
+  EXPECT_NEAR(h.document().frames[1].scale, 0.7 * was.frames[1].scale, 0.06);
+  expect_step("Size of " + drawing_words(was, 1));
+}
+
 TEST(PoseAlone, SuggestSaysWhatItLacks) {
   Harness h;
   h.click("Blank paper");

@@ -1,5 +1,7 @@
 #include "editor/session/notes.h"
 
+#include "model/calibrate/drawn_size.h"
+
 namespace artisketch {
 
 std::vector<PlacedWords> notes_of(const App& app) {
@@ -18,6 +20,17 @@ std::vector<PlacedWords> notes_of(const App& app) {
   else if (app.session.built)
     add(app.session.built->document, app.session.built->warnings);
   return notes;
+}
+
+std::vector<ScaleOffer> scale_offers(const App& app) {
+  const Document& document = app.document();
+  const std::vector<double>& scales = app.session.offered_scales.of(
+      app.session.history.state(), [&] { return offered_scales(document); });
+  std::vector<ScaleOffer> offers;
+  for (int f = 0; f < int(document.frames.size()); ++f)
+    if (scales[std::size_t(f)] != document.frames[std::size_t(f)].scale)
+      offers.push_back({f, scales[std::size_t(f)]});
+  return offers;
 }
 
 }  // namespace artisketch

@@ -11,4 +11,11 @@ namespace artisketch {
 // Of the poses that are proposed, where such are, else of the model; in the editor's words.
 std::vector<PlacedWords> notes_of(const App& app);
 
+// Where drawings show the figure in other sizes: the drawing and the scale that makes up for it.
+struct ScaleOffer {
+  int frame = 0;
+  double scale = 1;
+};
+std::vector<ScaleOffer> scale_offers(const App& app);
+
 }  // namespace artisketch

@@ -1,6 +1,8 @@
 // What was noticed on the way, in a card over the model: a press leads to the drawing and the part.
 #include <algorithm>
+#include <cmath>
 
+#include "document/edit.h"
 #include "editor/canvas/controls.h"
 #include "editor/session/command.h"
 #include "editor/session/notes.h"
@@ -11,13 +13,25 @@
 namespace artisketch {
 namespace {
 
-constexpr float kPad = 12, kHead = 34, kLine = 18, kBetween = 10, kDot = 20;
+constexpr float kPad = 12, kHead = 34, kLine = 18, kBetween = 10, kDot = 20, kButton = 28;
 
 // Over the model, or at the foot of the drawing where that is small.
 Rect room_for_notes(const Layout& layout) {
   const Rect& at = layout.inset || layout.tablet ? layout.canvas : layout.view;
   const float width = std::min(at.w - 2 * kPad, 420.0f);
   return {at.right() - kPad - width, at.y + 48, width, at.h - 48 - kPad};
+}
+
+std::string percent_of(double scale) {
+  return std::to_string(std::lround(100 * scale)) + " %";
+}
+
+// As the drawing seems to show the figure, against the first.
+void take_offer(App& app, const ScaleOffer& offer) {
+  app.session.proposal.reset();
+  app.session.commit("Size of " + drawing_words(app.document(), offer.frame),
+                     with_frame_scale(app.document(), offer.frame, offer.scale));
+  app.session.show_frame(offer.frame);
 }
 
 void go_to(App& app, const PlacedWords& note) {
@@ -41,6 +55,8 @@ void notes_card(App& app, const Layout& layout) {
   float needed = kPad - kBetween;
   for (const PlacedWords& note : notes)
     needed += lines_height(Font::caption, note.words, width, kLine) + kBetween;
+  const std::vector<ScaleOffer> offers = scale_offers(app);
+  needed += float(offers.size()) * (kButton + kBetween);
   const float high = std::min(room.h, kHead + needed);
   const Rect place{room.x, room.bottom() - high, room.w, high};
   {
@@ -63,6 +79,16 @@ void notes_card(App& app, const Layout& layout) {
   scroll = std::clamp(scroll, 0.0f, std::max(0.0f, needed - column.h));
   draw().PushClipRect(column.min(), column.max(), true);
   float y = column.y - scroll;
+  // What can be mended at once comes first.
+  for (const ScaleOffer& offer : offers) {
+    const std::string words = "Set size in " + drawing_words(app.document(), offer.frame) + " to " +
+                              percent_of(offer.scale);
+    if (button(words, {column.x + kPad + kDot, y, width, kButton})) {
+      take_offer(app, offer);
+      break;
+    }
+    y += kButton + kBetween;
+  }
   for (const PlacedWords& note : notes) {
     const float tall = lines_height(Font::caption, note.words, width, kLine);
     Rect row{column.x + kPad, y, kDot + width, tall};

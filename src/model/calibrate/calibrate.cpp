@@ -14,9 +14,6 @@ namespace {
 
 constexpr double kMaxRotation = radians(40);  // users' poses are 8 to 15° off, bad ones 30
 constexpr double kMaxTranslation = 0.25;      // of the rest pose's size
-constexpr double kPixel = 1;                  // between the rays that coverage counts
-constexpr int kMostPixels = 160;              // of one contour
-constexpr int kMostMet = 320;                 // the same, times the frames it is held against
 
 }  // namespace
 
@@ -126,7 +123,7 @@ Result<Calibration> calibrate(const Document& whole, const CalibrateOptions& opt
   fix_blocking();
   const Document document = with_posed_contours(whole);
   Calibration result = unmoved(document);
-  const RayResiduals rays = RayResiduals(document, kPixel, kMostPixels).thinned(kMostMet);
+  const RayResiduals rays = rays_to_compare(document);
   const std::vector<Coverage> before = coverage(document, rays, result.poses, result.scales);
   std::vector<Coverage> after = before;
   if (const std::string why = nothing_to_compare(document); !why.empty()) {

@@ -130,4 +130,20 @@ std::vector<std::string> drawn_size_words(const Document& document,
   return lines;
 }
 
+std::vector<double> offered_scales(const Document& whole) {
+  const Document document = with_posed_contours(whole);
+  std::vector<double> scales;
+  std::vector<Pose> poses;
+  for (const Frame& frame : document.frames) {
+    scales.push_back(frame.scale);
+    poses.push_back(frame.pose);
+  }
+  if (document.camera.type != Camera::Type::orthographic || scales.size() < 2) return scales;
+  const std::vector<DrawnSize> sizes =
+      drawn_sizes(rays_to_compare(document), placed(document, poses, scales));
+  for (std::size_t f = 1; f < sizes.size(); ++f)
+    if (sizes[f].differs()) scales[f] *= sizes[f].factor;
+  return scales;
+}
+
 }  // namespace artisketch

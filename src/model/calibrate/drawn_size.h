@@ -27,4 +27,8 @@ std::vector<std::string> drawn_size_words(const Document& document,
                                           const std::vector<DrawnSize>& sizes,
                                           const std::vector<double>& scales);
 
+// Per frame, the `frames[].scale` at which it would show the figure as large as the first does; the
+// scale it has where nothing speaks for another.
+std::vector<double> offered_scales(const Document& document);
+
 }  // namespace artisketch

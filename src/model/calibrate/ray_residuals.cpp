@@ -329,4 +329,11 @@ Vec2 reach_along(const RayResiduals::Part& part, const RayResiduals::View& view,
   return reach;
 }
 
+RayResiduals rays_to_compare(const Document& document) {
+  constexpr double kPixel = 1;      // between rays
+  constexpr int kMostPixels = 160;  // of one contour
+  constexpr int kMostMet = 320;     // the same, times the frames it is held against
+  return RayResiduals(document, kPixel, kMostPixels).thinned(kMostMet);
+}
+
 }  // namespace artisketch

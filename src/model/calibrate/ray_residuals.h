@@ -84,6 +84,9 @@ class RayResiduals {
   std::vector<Part> parts_;
 };
 
+// As many rays as tell how well drawings agree: a pixel apart, no more than a close look takes.
+RayResiduals rays_to_compare(const Document& document);
+
 // The way that a view's camera looks at a part, in the joint's axes.
 Vec3 line_of_sight(const RayResiduals::Part& part, const RayResiduals::View& view,
                    const Placement& placement);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "document/edit.h"
 #include "figures.h"
 #include "model/stages.h"
 
@@ -73,6 +74,16 @@ TEST(DrawnSizes, PartsThatDifferEachItsOwnWaySayNothingOfTheWhole) {
   for (int seed = 1; seed <= 6; ++seed)
     for (const DrawnSize& size : sizes_of(turned_round(inexact, seed).given))
       EXPECT_FALSE(size.differs()) << seed << ' ' << size.factor << " ± " << size.error;
+}
+
+TEST(DrawnSizes, TheScaleThatIsOfferedMakesUpForIt) {
+  Document document = turned_round().given;
+  EXPECT_EQ(offered_scales(document), std::vector<double>(4, 1.0));
+  enlarge(document.frames[2], 1.25);
+  const std::vector<double> scales = offered_scales(document);
+  EXPECT_NEAR(scales[2], 1.25, 0.04);
+  document = with_frame_scale(document, 2, scales[2]);
+  EXPECT_EQ(offered_scales(document)[2], scales[2]) << "and nothing more is offered";
 }
 
 TEST(DrawnSizes, CalibrationOffersTheScaleThatMakesUpForIt) {

@@ -207,6 +207,27 @@ void proposal_sheet(App& app, Rect place) {
 
 namespace {
 
+// How large the drawing shows the figure, where the camera's distance can't tell: half to double.
+void figure_size(App& app, Rect& place) {
+  const Theme& t = theme();
+  const int frame = app.session.selection.frame;
+  if (frame == 0 || app.document().camera.type != Camera::Type::orthographic) return;
+  const double scale = app.frame().scale;
+  Rect row = place.cut_top(24).inset(16, 0);
+  write(row.cut_left(84), Font::caption, t.muted, "Figure's size");
+  write(row.cut_right(48), Font::caption, t.text, std::to_string(std::lround(100 * scale)) + " %",
+        Align::right);
+  row.cut_left(8);
+  row.cut_right(8);
+  float octaves = std::clamp(float(std::log2(scale)), -1.0f, 1.0f);
+  const bool moved = slider("Figure's size", row, octaves, -1, 1);
+  if (ImGui::IsItemActivated()) app.session.begin_gesture();
+  if (moved)
+    app.session.change("Size of " + drawing_words(app.document(), frame),
+                       with_frame_scale(app.document(), frame, std::exp2(double(octaves))));
+  place.cut_top(8);
+}
+
 // What a drawing lacks that was just added, and the way out where its pose is right by chance.
 void not_posed_yet(App& app, Rect& place) {
   const Theme& t = theme();
@@ -242,6 +263,7 @@ void pose_panel(App& app, Rect place) {
   place.cut_top(8);
   command_button(app, "calibrate", place.cut_top(36).inset(12, 0));
   place.cut_top(14);
+  if (app.has_frame()) figure_size(app, place);
   if (available(app, "posed_here")) not_posed_yet(app, place);
   const bool first =
       app.session.selection.frame == 0 && !app.document().calibration.free_first_frame;
