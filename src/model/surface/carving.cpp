@@ -172,6 +172,16 @@ double widest(const std::vector<Vec3>& directions) {
   return most;
 }
 
+// How much the views lack of telling all depths as well as two at a right angle do: 1 where all
+// look along one line, the cosine of the angle between two, 0 where more of them make up for that.
+// A view tells what lies across it, so they leave open what most of them look along.
+double how_open(const std::vector<Vec3>& directions) {
+  Mat3 along = Mat3::Zero();
+  for (const Vec3& d : directions) along += d * d.transpose();
+  const double most = Eigen::SelfAdjointEigenSolver<Mat3>(along).eigenvalues()[2];
+  return std::clamp(1 - (double(directions.size()) - most), 0.0, 1.0);
+}
+
 }  // namespace
 
 double widest_spread(const Part& part) {
@@ -278,9 +288,13 @@ void add_views(const Part& part, std::span<const PartView> views, int cells, Car
                                                   view.pixels_per_unit(carving.middle));
   }
   if (carving.views.empty()) return;
-  std::vector<Vec3> directions;
-  for (const Silhouette& view : carving.views) directions.push_back(view.direction);
+  std::vector<Vec3> directions, own;
+  for (const Silhouette& view : carving.views) {
+    directions.push_back(view.direction);
+    if (!view.view->mirrored) own.push_back(view.direction);
+  }
   carving.spread = widest(directions);
+  carving.open_depth = how_open(own);
   constexpr double kPull = 0.1;  // a bone lies in its part, though seldom in its middle
   const Vec3 along = carving.views[0].direction;
   carving.centre =

@@ -56,6 +56,7 @@ struct Carving {
   std::vector<Silhouette> views;
   Slab slab;
   double spread = 0;           // sin² of the largest angle between the directions of two views
+  double open_depth = 1;       // how little the part's own views tell of its depth, 0 … 1
   Vec3 middle = Vec3::Zero();  // of the part's bones, or its joint
   Vec3 centre = Vec3::Zero();  // that moved along the first view to where outlines' middles agree
   double radius = 0;           // units: of the largest ball that every outline could hold

@@ -205,8 +205,9 @@ void redraw(const DrawnOutline& outline, const Give& by, const Vec3& middle, Par
 
 }  // namespace
 
-Part in_proportion(const Part& given) {
-  Part part = given;
+InProportion in_proportion(const Part& given) {
+  InProportion out{given};
+  Part& part = out.part;
   const Vec3 middle = middle_of_bones(part);
   std::vector<PartView*> shown;
   std::vector<DrawnOutline> views;
@@ -221,8 +222,9 @@ Part in_proportion(const Part& given) {
   };
   show(part.views);
   const std::size_t own = views.size();
-  if (own < 2 || !(size > 0)) return part;
+  if (own < 2 || !(size > 0)) return out;
   double contradiction = contradiction_of(views, own, size);
+  out.contradiction = contradiction;
   if (own <= kEnoughViews) show(part.mirrors);
   if (const double all = contradiction_of(views, views.size(), size);
       all > std::hypot(kLikeOwn * contradiction, kTwinsDiffer))
@@ -231,18 +233,18 @@ Part in_proportion(const Part& given) {
     contradiction = all;
   const double share =
       contradiction * contradiction / (contradiction * contradiction + kHalfMended * kHalfMended);
-  if (share < kLeastMended) return part;
+  if (share < kLeastMended) return out;
   find_gives(views, size);
   const bool sound = std::all_of(views.begin(), views.end(),
                                  [](const DrawnOutline& view) { return view.give.allFinite(); });
-  if (!sound) return part;
+  if (!sound) return out;
   for (std::size_t v = 0; v < views.size(); ++v) {
     Give by = share * views[v].give;
     by.head<2>() = within_length(by.head<2>(), kMostShifted * size);
     by.tail<3>() = by.tail<3>().cwiseMax(-kMostStretched).cwiseMin(kMostStretched);
     redraw(views[v], by, middle, *shown[v]);
   }
-  return part;
+  return out;
 }
 
 }  // namespace artisketch

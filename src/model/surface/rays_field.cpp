@@ -65,18 +65,16 @@ Grid3<float> plump(const HermiteSurface& f, const std::vector<RayRim>& rims, dou
   return field;
 }
 
-// How much of a part's depth its views leave to guess: 1 where they all show it from one direction,
-// less and less the wider they spread, 0 where two stand at a right angle. Outlines that are wrong
-// by a little tell the depth as badly as that over the square of the sine between them, so the
-// guess goes with a power of the cosine: the more they contradict each other, the lower a power.
-// Outlines of rendered figures contradict each other by some 0.3 % of the part's radius, those of a
-// hand by 3 to 13 %.
+// How much of a part's depth is left to guess: all of it where its views show it from one
+// direction, less the more they tell. Outlines that are wrong by a little tell the depth as badly
+// as that over the square of the sine between them, so the guess goes with a power of how open the
+// depth is: the more they contradict each other, the lower a power. Outlines of rendered figures
+// contradict each other by some 0.3 % of the part's radius, those of a hand by 3 to 13 %.
 double guessed_share(const Carving& carving, double contradiction) {
-  constexpr double kAgreed = 3, kContradicted = 1.5;  // powers of the cosine's square
+  constexpr double kAgreed = 2, kContradicted = 0.6;  // powers
   constexpr double kMiddle = 0.01;                    // the contradiction halfway between them
-  const double same = (1 - carving.spread) / (1 - std::min(carving.spread, kOneDirection));
   const double agreed = 1 / (1 + contradiction * contradiction / (kMiddle * kMiddle));
-  return std::pow(same, kContradicted + (kAgreed - kContradicted) * agreed);
+  return std::pow(carving.open_depth, kContradicted + (kAgreed - kContradicted) * agreed);
 }
 
 // The body that the views suggest which say nothing of its depth: the mean of those that each of
@@ -177,12 +175,15 @@ void cut_to(const Grid3<float>& surface, Grid3<float>& hull) {
 }  // namespace
 
 Result<RaysField> rays_field(const Part& given, const RaysFieldOptions& options, Run& run) {
-  const Part part = in_proportion(given);
+  const auto [part, disproportion] = in_proportion(given);
   RaysField out;
   Result<Carving> carving = carving_with_mirrors(part, options.cells);
   if (!carving) return carving.error();
   widen_until_they_meet(*carving, out.warnings);
-  const double contradiction = swell_until_covered(*carving);
+  // Outlines brought to one proportion agree in their lengths, not in who was right.
+  constexpr double kStillDoubted = 0.3;  // radii per size
+  const double contradiction =
+      std::max(swell_until_covered(*carving), kStillDoubted * disproportion);
   // The rims' surface lies inside the hull: next to that alone must the hull's distances be true.
   const double band = carving->one_direction() ? 4 : 1.5;
   Result<Grid3<float>> hull = carve(*carving, options.cells, run, band);

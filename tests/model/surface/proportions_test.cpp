@@ -53,7 +53,7 @@ Vec2 heights(const Part& part) {
 
 TEST(Proportions, OutlinesThatAgreeStay) {
   const Part part = left_ball({1, 1}, {1, 1});
-  const Part after = in_proportion(part);
+  const Part after = in_proportion(part).part;
   for (int v = 0; v < 2; ++v)
     for (std::size_t i = 0; i < 90; ++i)
       EXPECT_EQ(after.views[v].contours[0].points[i], part.views[v].contours[0].points[i]);
@@ -62,7 +62,7 @@ TEST(Proportions, OutlinesThatAgreeStay) {
 TEST(Proportions, OutlinesThatDifferMeetBetween) {
   Part part = left_ball({1, 1}, {1.3, 1.3});
   part.mirrors.clear();
-  const Vec2 after = heights(in_proportion(part));
+  const Vec2 after = heights(in_proportion(part).part);
   EXPECT_GT(after[0], 1.08);
   EXPECT_LT(after[1], 1.22);
   EXPECT_LT(after[1] - after[0], 0.1);
@@ -74,12 +74,20 @@ TEST(Proportions, AMirrorImageThatAgreesTipsTheBalance) {
   const Part part = left_ball({1, 1}, {1.3, 1});
   Part alone = part;
   alone.mirrors.clear();
-  EXPECT_LT(heights(in_proportion(part)).mean(), heights(in_proportion(alone)).mean() - 0.02);
+  EXPECT_LT(heights(in_proportion(part).part).mean(),
+            heights(in_proportion(alone).part).mean() - 0.02);
+}
+
+TEST(Proportions, TellByHowMuchOutlinesDiffered) {
+  Part part = left_ball({1, 1}, {1.3, 1.3});
+  part.mirrors.clear();
+  const double size = kRadius * std::sqrt(1.3 * kPi);
+  EXPECT_NEAR(in_proportion(part).contradiction, 0.3 * kRadius / size, 0.01);
 }
 
 TEST(Proportions, AnotherSidesSizeHasNoSay) {
   const Part part = left_ball({1, 1.5}, {1, 1.5});
-  EXPECT_EQ(heights(in_proportion(part)), heights(part));
+  EXPECT_EQ(heights(in_proportion(part).part), heights(part));
 }
 
 }  // namespace
