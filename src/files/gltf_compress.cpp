@@ -23,8 +23,8 @@ constexpr const char* kQuantized = "KHR_mesh_quantization";
 constexpr int kNormalBits = 8;     // a degree or so
 constexpr int kRotationBits = 14;  // a hundredth of a degree
 constexpr int kPlaceBits = 20;     // of a root's way, as single precision nearly
-constexpr int kForVertices = TINYGLTF_TARGET_ARRAY_BUFFER;
-constexpr int kForIndices = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+constexpr int kVertexTarget = TINYGLTF_TARGET_ARRAY_BUFFER;
+constexpr int kIndexTarget = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
 
 // The codecs' versions are the library's state: newer libraries write what the extension lacks.
 void write_as_the_extension_says() {
@@ -106,7 +106,7 @@ class Compressor {
     unpacked_ = (unpacked_ + 3) / 4 * 4;
     Json view = {{"buffer", 1}, {"byteOffset", unpacked_}, {"byteLength", stream.bytes.size()}};
     unpacked_ += stream.bytes.size();
-    if (target == kForVertices) view["byteStride"] = stream.stride;
+    if (target == kVertexTarget) view["byteStride"] = stream.stride;
     if (target) view["target"] = target;
     Json how = {{"buffer", 0},
                 {"byteOffset", append(packed.data(), packed.size())},
@@ -177,7 +177,7 @@ class Compressor {
     const int component = accessor(index)["componentType"].get<int>();
     stream.stride = component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT ? 4 : 2;
     stream.bytes.resize(corners.size() * stream.stride);
-    now_in(index, add_packed(packed, "TRIANGLES", stream, kForIndices), 0, component, false);
+    now_in(index, add_packed(packed, "TRIANGLES", stream, kIndexTarget), 0, component, false);
   }
 
   // Positions are multiples of a step already, and no more of them than 16 bits count. The skin
@@ -199,7 +199,7 @@ class Compressor {
         steps[4 * v + std::size_t(c)] = std::uint16_t(k);
         most[std::size_t(c)] = std::max(most[std::size_t(c)], int(k));
       }
-    now_in(index, add_elements(stream_of(steps, 8), kForVertices), 0,
+    now_in(index, add_elements(stream_of(steps, 8), kVertexTarget), 0,
            TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, false);
     accessor(index)["min"] = {0, 0, 0};
     accessor(index)["max"] = most;
@@ -230,14 +230,14 @@ class Compressor {
     Stream stream = stream_of(std::vector<std::int8_t>(4 * used_), 4);
     meshopt_encodeFilterOct(stream.bytes.data(), used_, stream.stride, kNormalBits, rows.data());
     stream.filter = "OCTAHEDRAL";
-    now_in(index, add_elements(stream, kForVertices), 0, TINYGLTF_COMPONENT_TYPE_BYTE, true);
+    now_in(index, add_elements(stream, kVertexTarget), 0, TINYGLTF_COMPONENT_TYPE_BYTE, true);
   }
 
   void compress_texcoords(int index) {
     std::vector<std::uint16_t> steps;
     for (const float t : reordered(values<float>(index), 2))
       steps.push_back(std::uint16_t(std::lround(std::clamp(t, 0.0f, 1.0f) * 65535)));
-    now_in(index, add_elements(stream_of(steps, 4), kForVertices), 0,
+    now_in(index, add_elements(stream_of(steps, 4), kVertexTarget), 0,
            TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, true);
   }
 
@@ -246,7 +246,7 @@ class Compressor {
     const Stream stream = component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE
                               ? stream_of(reordered(values<std::uint8_t>(index), 4), 4)
                               : stream_of(reordered(values<std::uint16_t>(index), 4), 8);
-    now_in(index, add_elements(stream, kForVertices), 0, component, false);
+    now_in(index, add_elements(stream, kVertexTarget), 0, component, false);
   }
 
   void compress_weights(int index) {
@@ -261,7 +261,7 @@ class Compressor {
                                             steps.begin() + std::ptrdiff_t(at + 4));
       *largest = std::uint8_t(*largest + left);
     }
-    now_in(index, add_elements(stream_of(steps, 4), kForVertices), 0,
+    now_in(index, add_elements(stream_of(steps, 4), kVertexTarget), 0,
            TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, true);
   }
 

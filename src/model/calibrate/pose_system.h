@@ -27,7 +27,7 @@ Pose changed(const Pose& pose, const FrameChange& change);  // unturned joints k
 // A motion of a part in one frame, in world axes at the world's origin: x' = x + ω × x + u, and the
 // frame's scale grows by the factor 1 + s. Order: ω, u, s.
 inline constexpr int kMotion = 7;
-using Motion = Eigen::Matrix<double, kMotion, 1>;
+using PartMotion = Eigen::Matrix<double, kMotion, 1>;
 
 // Least squares in the motions of one part: energy ≈ e + 2 gᵀm + mᵀHm, with kMotion entries of m
 // per frame.

@@ -78,15 +78,15 @@ void add_ray(const std::vector<Row>& rows, const std::vector<int>& frames, int f
              MotionSystem& system) {
   using Block = Eigen::Matrix<double, kMotion, kMotion>;
   Block HA = Block::Zero();
-  Motion gA = Motion::Zero(), qA = Motion::Zero();
+  PartMotion gA = PartMotion::Zero(), qA = PartMotion::Zero();
   const int a = kMotion * from;
-  static thread_local std::vector<std::pair<int, Motion>> q;
+  static thread_local std::vector<std::pair<int, PartMotion>> q;
   q.clear();
   for (const Row& row : rows) {
     const int v = kMotion * frames[row.view];
     // The frame seen moves the point; the ray's own frame moves it the other way.
     const Vec3 back = turned[row.view].transpose() * row.by_point;
-    Motion seen, own;
+    PartMotion seen, own;
     seen << row.X.cross(row.by_point), row.by_point, (scales ? row.by_scale : 0.0);
     own << -X.cross(back), -back, (scales ? -back.head<2>().dot(X.head<2>()) : 0.0);
     system.H.block<kMotion, kMotion>(v, v) += weight * seen * seen.transpose();

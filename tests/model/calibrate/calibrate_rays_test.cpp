@@ -94,7 +94,7 @@ Placement user_placement(const Document& document) {
 }
 
 // The placement with all joints moved alike in one frame, as one rigid figure.
-Placement moved(Placement placement, int frame, const Motion& m) {
+Placement moved(Placement placement, int frame, const PartMotion& m) {
   const Vec3 turn = m.head<3>();
   Transform t = Transform::Identity();
   if (!turn.isZero(0)) t.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).matrix();
@@ -118,7 +118,7 @@ void expect_same_derivatives(const Document& document, const RayResiduals& rays,
   const double h = 1e-4;
   for (int i = 0; i < g.size(); ++i) {
     if (i % kMotion == 6 && document.camera.type == Camera::Type::perspective) continue;
-    Motion m = Motion::Zero();
+    PartMotion m = PartMotion::Zero();
     m[i % kMotion] = h;
     const double numeric = (energy(moved(placement, i / kMotion, m), nullptr) -
                             energy(moved(placement, i / kMotion, -m), nullptr)) /
