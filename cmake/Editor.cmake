@@ -85,6 +85,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/session/jobs.cpp
   src/editor/session/notes.cpp
   src/editor/session/live.cpp
+  src/editor/session/motions_in.cpp
   src/editor/session/part_fit.cpp
   src/editor/session/session.cpp
   src/editor/session/view.cpp

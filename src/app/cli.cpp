@@ -36,6 +36,7 @@
 #include "model/rig/own_skeleton.h"
 #include "model/rig/retarget.h"
 #include "model/rig/rig_profile.h"
+#include "model/rig/t_pose.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -422,7 +423,7 @@ int reconstruct_verb(Arguments& a) {
 
   std::optional<Model> rigged;
   if (!a.rig.empty()) {
-    Result<Model> made = with_rig(result->model, a.rig);
+    Result<Model> made = for_engine(result->model, a.rig);
     if (!made) return fail(bad_input("--rig " + a.rig + ": " + made.error().text()));
     rigged = std::move(*made);
   }

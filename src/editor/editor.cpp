@@ -165,7 +165,8 @@ void Editor::frame(float width, float height, float pixel_ratio) {
     if (layout.swapped) model_panel(app, layout, pixel_ratio);
     sketch_panel(app, layout, pixel_ratio);
     keep_live(app);  // what was dragged there is computed while the rest is drawn
-    const bool tall = layout.tablet && (app.view.exporting || app.view.all_drawings);
+    const bool tall =
+        layout.tablet && (app.view.exporting || app.view.mapping || app.view.all_drawings);
     if (!tall) tool_rail(app, layout);  // else the sheet goes there
     if (!layout.swapped) model_panel(app, layout, pixel_ratio);
     missing_card(app, layout);

@@ -92,7 +92,7 @@ struct Shot {
   FrameCamera camera;            // in samples
   Visible seen;
   std::vector<Linear> light;   // per sample, where a face is seen
-  std::vector<Linear> normal;  // the same as Look has it, where asked for
+  std::vector<Linear> normal;  // the same as RenderLook has it, where asked for
   std::vector<float> ink;      // per sample, the outline's opacity
 
   bool perspective() const { return camera.camera.type == Camera::Type::perspective; }
@@ -129,7 +129,8 @@ Vec3 weights_at(const Shot& shot, const Triangles& F, int face, int x, int y) {
                         shot.samples[F(face, 2)], w);
 }
 
-void shade_samples(const Shape& shape, const Eigen::VectorXd& key, const Look& look, Shot& shot) {
+void shade_samples(const Shape& shape, const Eigen::VectorXd& key, const RenderLook& look,
+                   Shot& shot) {
   const Triangles& F = shape.mesh.F;
   const bool textured = shape.texture && !shape.texcoords.empty();
   shot.light.assign(shot.seen.face.size(), Linear::Zero());
@@ -290,7 +291,7 @@ Image render_shape(const Shape& shape, const Transform& view, const FrameCamera&
 }
 
 Pictures render_pictures(const Shape& shape, const Transform& view, const FrameCamera& camera,
-                         int width, int height, const Look& look) {
+                         int width, int height, const RenderLook& look) {
   constexpr double kLamp = 0.16;  // the key light's radius, one unit away
   constexpr double kMargin = 2;   // pixels round what the shape covers
   Pictures out;

@@ -34,7 +34,7 @@ enum class Light {
   toon    // two tones, parted where the key light ends
 };
 
-struct Look {
+struct RenderLook {
   Light light = Light::soft;
   bool ink = true;          // along the outline and along steps in depth
   double line_width = 1.5;  // of it, pixels
@@ -54,6 +54,6 @@ struct Pictures {
 Image render_shape(const Shape& shape, const Transform& view, const FrameCamera& camera, int width,
                    int height);
 Pictures render_pictures(const Shape& shape, const Transform& view, const FrameCamera& camera,
-                         int width, int height, const Look& look);
+                         int width, int height, const RenderLook& look);
 
 }  // namespace artisketch

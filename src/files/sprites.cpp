@@ -105,7 +105,7 @@ Stage stage_of(const Model& model, const Clip& clip, const SpriteOptions& option
 
 Pictures drawn(const Stage& stage, const SpriteOptions& options, const Shape& shape,
                const Transform& view, const std::vector<Rgb>& palette) {
-  Look look;
+  RenderLook look;
   look.light = options.light;
   look.ink = options.ink;
   look.normals = options.normals;

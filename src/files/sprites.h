@@ -39,9 +39,10 @@ struct SpriteSheet {
 };
 
 // All sprites at one scale, on one ground and about one axis, so that they replace each other in
-// place. Clips that go round leave out their last pose, which is the first. Normals are as Look has
-// them; depth goes from the whole figure's farthest (0) to its nearest (255) over all the sprites.
-// Fails where there is no such clip or the sheet would be larger than 16384 pixels a side.
+// place. Clips that go round leave out their last pose, which is the first. Normals are as
+// RenderLook has them; depth goes from the whole figure's farthest (0) to its nearest (255) over
+// all the sprites. Fails where there is no such clip or the sheet would be larger than 16384 pixels
+// a side.
 Result<SpriteSheet> sprite_sheet(const Model& model, const SpriteOptions& options,
                                  const std::string& image_name);
 

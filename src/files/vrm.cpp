@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
 
 #include "files/glb_parts.h"
 #include "files/gltf.h"
@@ -154,6 +155,17 @@ Result<VrmMeta> vrm_meta(const Document& document, const std::string& file) {
   if (meta.authors.empty()) return bad_input(at + "/authors: names nobody");
   if (!more.empty()) meta.more = more.dump();
   return meta;
+}
+
+Document with_author(Document document, const std::string& author) {
+  Faults none("");
+  std::optional<Json> fields;
+  if (!document.unknown.empty()) fields = parse_json(document.unknown, none);
+  Json all = fields && fields->is_object() ? *fields : Json::object();
+  if (!all.contains("about") || !all["about"].is_object()) all["about"] = Json::object();
+  all["about"]["authors"] = Json::array({author});
+  document.unknown = all.dump();
+  return document;
 }
 
 Result<std::string> vrm_bytes(const Model& model, const VrmMeta& meta) {

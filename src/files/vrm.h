@@ -24,6 +24,9 @@ struct VrmMeta {
 // or where a field is of the wrong kind.
 Result<VrmMeta> vrm_meta(const Document& document, const std::string& file);
 
+// The document with these words as its `about`'s only author; what else stands there stays.
+Document with_author(Document document, const std::string& author);
+
 // The model of a person at rest in the T-pose, its joints named and completed as with_rig's "unity"
 // does, facing +z:
 //   - the humanoid's bones by these names; first person shows all but what hangs on the head;

@@ -1,10 +1,16 @@
 // Result: posing the model, its clips and keys, its joints' spheres, its parts' fatness, export.
+#include <filesystem>
+#include <random>
+
 #include <gtest/gtest.h>
 
+#include "app/cli.h"
 #include "document/edit.h"
 #include "document/templates.h"
 #include "editor/step.h"
+#include "files/bytes.h"
 #include "files/gltf.h"
+#include "files/gltf_compress.h"
 #include "model/rig/library.h"
 
 namespace artisketch {
@@ -151,6 +157,58 @@ TEST_F(ResultMode, AMotionDroppedOnTheWindowBecomesAClip) {
   begin();
   h.open("broken.bvh", wave.substr(0, 200));
   expect_nothing_happened();
+}
+
+TEST_F(ResultMode, WhatAMotionMovesIsListedAndChanged) {
+  // An arm whose names mean nothing, beside one that does.
+  const std::string joint = "CHANNELS 3 Zrotation Xrotation Yrotation\n";
+  const auto arm = [&](const char* upper, const char* lower, int side) {
+    const std::string x = std::to_string(30 * side);
+    return "JOINT " + std::string(upper) + "\n{\nOFFSET " + x + " 50 0\n" + joint + "JOINT " +
+           lower + "\n{\nOFFSET " + x + " 0 0\n" + joint + "End Site\n{\nOFFSET " + x +
+           " 0 0\n}\n}\n}\n";
+  };
+  const std::string bvh =
+      "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation "
+      "Xrotation Yrotation\n" +
+      arm("LeftArm", "LeftForeArm", 1) + arm("Foo", "Bar", -1) +
+      "}\nMOTION\nFrames: 2\nFrame Time: 0.5\n"
+      "0 90 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n0 90 0 0 0 0 45 0 0 0 0 0 30 0 0 0 0 0\n";
+  h.open("hello.bvh", bvh);
+  ASSERT_EQ(h.document().animations.size(), 1u);
+  begin();
+  h.click("Change");
+  ASSERT_NE(h.find("Mover of upper_arm.R"), nullptr) << h.said();
+  h.click("Mover of upper_arm.R");
+  h.click("Bar");
+  ASSERT_EQ(h.document().motion.joints.size(), 1u);
+  EXPECT_EQ(h.document().motion.joints[0].first, "Bar");
+  EXPECT_EQ(h.document().skeleton.joints[std::size_t(h.document().motion.joints[0].second)].name,
+            "upper_arm.R");
+  expect_step("Map upper_arm.R");
+  h.click("Mover of upper_arm.R");
+  h.click("Bar");
+  h.click("Mover of upper_arm.R");
+  h.click("As found");
+  EXPECT_TRUE(h.document().motion.joints.empty());
+  h.click("In place");
+  h.key(ImGuiKey_Escape);
+  EXPECT_EQ(h.find("Mover of upper_arm.R"), nullptr);
+  h.click("Motion");
+  EXPECT_TRUE(h.active("In place"));
+}
+
+TEST_F(ResultMode, TheTimelineScrollsToAClipJustChosen) {
+  for (const char* name : {"idle", "walk", "run", "jump", "wave", "sit"}) {
+    h.click("Library");
+    h.click(std::string("Add ") + name);
+    EXPECT_TRUE(h.active(std::string("Clip ") + name)) << name;
+  }
+  EXPECT_EQ(h.find("Clip idle"), nullptr) << "there isn't room for all";
+  h.point_at(h.middle("Clip sit"));
+  h.wheel(10);
+  EXPECT_NE(h.find("Clip idle"), nullptr);
+  EXPECT_EQ(h.find("Clip sit"), nullptr);
 }
 
 TEST_F(ResultMode, EveryAnimationOfAGlbDroppedOnTheWindowBecomesAClip) {
@@ -302,6 +360,77 @@ TEST_F(ResultMode, EachFormatIsAFile) {
   h.key(ImGuiKey_Escape);
   EXPECT_EQ(h.find("Format GLB"), nullptr);
   expect_nothing_happened();
+}
+
+TEST_F(ResultMode, AnAvatarAsksOnceWhoMadeIt) {
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  h.click("Format VRM");
+  h.click("Export hero.vrm");
+  EXPECT_TRUE(h.platform.files.empty());
+  h.frames(3);
+  h.type("Ann");
+  h.key(ImGuiKey_Enter);
+  ASSERT_TRUE(h.platform.files.contains("/kept/hero.vrm"));
+  EXPECT_NE(h.platform.files["/kept/hero.vrm"].find("VRMC_vrm"), std::string::npos);
+  EXPECT_NE(h.platform.files["/kept/hero.vrm"].find("\"Ann\""), std::string::npos);
+  expect_step("Name the author");
+  h.platform.files.clear();
+  h.click("Export hero.vrm");
+  EXPECT_TRUE(h.platform.files.contains("/kept/hero.vrm")) << "the document keeps it";
+}
+
+TEST_F(ResultMode, JointsAreNamedAsAnEngineHasThem) {
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  h.click("Joints' names");
+  h.click("Mixamo");
+  h.click("Export hero.glb");
+  const Result<Model> model = read_glb(h.platform.files["/kept/hero.glb"], "hero");
+  ASSERT_TRUE(model) << model.error().text();
+  EXPECT_EQ(model->skeleton.joints[0].name, "mixamorig:Hips");
+  h.click("Joints' names");
+  h.click("As drawn");
+  h.click("Export hero.glb");
+  EXPECT_EQ(read_glb(h.platform.files["/kept/hero.glb"], "hero")->skeleton.joints[0].name,
+            h.document().skeleton.joints[0].name);
+  expect_nothing_happened();
+}
+
+TEST_F(ResultMode, CompressedIsTheSameModelInFewerBytes) {
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  h.click("Export hero.glb");
+  const std::string whole = h.platform.files["/kept/hero.glb"];
+  h.click("Compressed (not for Godot)");
+  h.click("Export hero.glb");
+  const std::string small = h.platform.files["/kept/hero.glb"];
+  EXPECT_EQ(small, compressed_glb(whole));
+  EXPECT_LT(small.size(), whole.size() * 7 / 10);
+}
+
+// What the command line writes of the exported model with these choices.
+TEST_F(ResultMode, SpritesAreTheCommandLinesByteForByte) {
+  h.click("Library");
+  h.click("Add walk");
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  h.click("Export hero.glb");
+  h.click("Format Sprites");
+  for (const char* choice : {"Sides 4", "Size 64", "A second 8", "Padding 1", "Light Toon",
+                             "Pixels 2", "JSON By name", "Normals", "Depth"})
+    h.click(choice);
+  h.click("Export hero.zip");
+  ASSERT_TRUE(h.platform.files.contains("/kept/hero.zip"));
+
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("artisketch_sprites_" + std::to_string(std::random_device()()));
+  std::filesystem::create_directory(folder);
+  const std::string glb = (folder / "model.glb").string(), zip = (folder / "hero.zip").string();
+  ASSERT_TRUE(write_file(glb, h.platform.files["/kept/hero.glb"]));
+  EXPECT_EQ(
+      run_cli({"sprites",  glb,  "-o",       zip,    "--clip",    "walk",   "--directions", "4",
+               "--size",   "64", "--rate",   "8",    "--padding", "1",      "--light",      "toon",
+               "--pixels", "2",  "--layout", "hash", "--normals", "--depth"}),
+      0);
+  EXPECT_EQ(h.platform.files["/kept/hero.zip"], *read_file(zip));
+  std::filesystem::remove_all(folder);
 }
 
 TEST_F(ResultMode, ASmallerTextureMakesASmallerFile) {

@@ -79,5 +79,22 @@ TEST_P(Screens, EachModeHoldsItsWordsAndControls) {
   }
 }
 
+TEST_P(Screens, TheExportSheetHoldsItsWordsAndControls) {
+  Harness h({}, {}, GetParam().size);
+  h.open_example("hero");
+  h.settle();
+  h.key(ImGuiKey_R);
+  h.settle();
+  h.key(ImGuiKey_4);
+  h.key(ImGuiKey_O);  // without the model's joints
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  h.wait(10);  // until nothing more is said
+  for (const char* format : {"GLB", "VRM", "PNG", "Sprites"}) {
+    h.click(std::string("Format ") + format);
+    h.frames(2);
+    expect_clear(h, std::string("export, ") + format);
+  }
+}
+
 }  // namespace
 }  // namespace artisketch

@@ -1,6 +1,7 @@
 #include "editor/canvas/controls.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "document/edit.h"
 #include "editor/canvas/pointer.h"
@@ -75,6 +76,18 @@ void show_model(const BuiltModel& built, const ViewProjection& projection,
   // OpenGL's pictures begin at the bottom.
   show_picture(picture.texture(), projection.place, opacity, {0, 1}, {1, 0}, IM_COL32_WHITE,
                radius);
+}
+
+Rows scrolled_rows(int& first, int count, float tall, const Rect& place) {
+  const int shown = std::clamp(int(place.h / tall), 0, count);
+  if (place.holds(ImGui::GetIO().MousePos)) first -= int(std::round(ImGui::GetIO().MouseWheel));
+  first = std::clamp(first, 0, count - shown);
+  if (shown > 0 && shown < count) {
+    const float per = place.h / float(count), x = place.right() + 2;
+    draw().AddRectFilled({x, place.y + per * float(first)},
+                         {x + 3, place.y + per * float(first + shown)}, theme().line, 1.5f);
+  }
+  return {first, first + shown};
 }
 
 }  // namespace artisketch

@@ -30,4 +30,11 @@ void show_model(const BuiltModel& built, const ViewProjection& projection,
                 const PaintOptions& options, RenderTarget& picture, float opacity,
                 float pixel_ratio, float radius = 0);
 
+// Of `count` rows `tall` each, those that fit `place`: the wheel over it goes through them, by
+// `first`, and a bar at its right tells where one is.
+struct Rows {
+  int first = 0, end = 0;
+};
+Rows scrolled_rows(int& first, int count, float tall, const Rect& place);
+
 }  // namespace artisketch

@@ -21,14 +21,19 @@ Layout tablet(Rect all, const View& view) {
   l.top = all.cut_top(56);
   l.modes = all.cut_top(56);
   l.strip = all.cut_bottom(view.mode == Mode::result ? 148 : 104);
-  l.inspector = all.cut_bottom(view.exporting ? 640.0f : view.all_drawings ? 460.0f : 144.0f);
+  // Of a phone, a sheet leaves the top of what is drawn.
+  constexpr float kLeft = 180;
+  const float sheet = std::min(640.0f, all.h - kLeft);
+  l.inspector = all.cut_bottom(view.exporting || view.mapping ? sheet
+                               : view.all_drawings            ? 460.0f
+                                                              : 144.0f);
   l.canvas = all;
   l.canvas_head = {all.x + all.w / 2 - 84, all.y + 12, 168, 44};
   l.canvas_foot = {};
   l.rail = {all.x + 12, all.y + 91, 68, 0};
   const float wide =
       std::min(232.0f, 0.4f * all.w);  // on phones the drawing keeps most of the width
-  l.view = inset_place(all, wide, wide * 268 / 232);
+  l.view = inset_place(all, wide, std::min(wide * 268 / 232, all.h - 80));
   l.swapped = view.swapped[std::size_t(view.mode)];
   if (l.swapped) {
     std::swap(l.canvas, l.view);

@@ -63,7 +63,8 @@ struct Question {
   };
   std::vector<Answer> answers;
   bool asks_path = false;
-  std::string path;  // being typed
+  std::string path;            // being typed
+  std::string field = "Path";  // what that is
   std::function<void(const std::string&)> with_path;
 };
 

@@ -36,6 +36,8 @@ void step_back(App& app) {
     app.tool().cancel(app);
   } else if (session.next.any()) {
     session.next = {};
+  } else if (app.view.mapping) {
+    app.view.mapping = false;
   } else if (app.view.exporting) {
     app.view.exporting = false;
   } else if (session.playback.posed) {

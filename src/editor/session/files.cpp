@@ -3,14 +3,12 @@
 
 #include <imgui.h>
 
-#include "document/animate.h"
 #include "document/edit.h"
 #include "editor/session/jobs.h"
+#include "editor/session/motions_in.h"
 #include "files/document_file.h"
 #include "files/inside_images.h"
 #include "files/motion_file.h"
-#include "model/rig/library.h"
-#include "model/rig/retarget.h"
 
 namespace artisketch {
 namespace {
@@ -28,19 +26,6 @@ Document blank_document() {
   document.camera.pixels_per_unit = 300;
   document.skeleton = template_skeleton(Template::human);
   return document;
-}
-
-// The last clip of the document's is chosen and played.
-void commit_clips(App& app, const std::string& undo_name, Document document) {
-  app.session.commit(undo_name, std::move(document));
-  if (!app.session.built) return;
-  Playback& playback = app.session.playback;
-  playback.clip = int(app.session.built->model.clips.size()) - 1;
-  playback.time = 0;
-  playback.key = -1;
-  playback.posed.reset();
-  playback.playing = true;
-  app.view.mode = Mode::result;
 }
 
 }  // namespace
@@ -80,35 +65,6 @@ void open_files(App& app, Result<std::vector<NamedBytes>> files) {
     else
       add_drawing(app, file);
   }
-}
-
-void add_clip(App& app, const std::string& undo_name, Animation animation) {
-  commit_clips(app, undo_name, with_animation(app.document(), std::move(animation)));
-}
-
-void add_motion(App& app, const NamedBytes& file) {
-  const std::string name = file.name.substr(0, file.name.rfind('.'));
-  const Result<std::vector<Motion>> motions = parse_motions(file.bytes, name, file.name);
-  if (!motions) return complain(app, motions.error());
-  Document document = app.document();
-  Toast toast;
-  for (const Motion& motion : *motions) {
-    const Result<Retargeted> moved = retargeted(document, motion, {});
-    if (!moved) return complain(app, moved.error());
-    document = with_animation(std::move(document), animation_of(moved->clip));
-    toast.words += (toast.words.empty() ? "" : "; ") + mapping_words(document, motion, *moved);
-    for (const std::string& warning : moved->warnings)
-      if (toast.words.find(warning) == toast.words.npos) toast.words += "; " + warning;
-    toast.error |= !moved->warnings.empty();
-  }
-  std::size_t keys = 0;
-  for (const Animation& one : document.animations) keys += one.keys.size();
-  if (keys > kMostKeys)
-    return complain(app, bad_input(file.name + " is too long: a document has " +
-                                   std::to_string(kMostKeys) + " keys at most"));
-  app.tool().cancel(app);
-  commit_clips(app, "Add " + name, std::move(document));
-  app.say(std::move(toast));
 }
 
 void open_example(App& app, const std::string& name, bool greet) {

@@ -15,11 +15,6 @@ void open_example(App& app, const std::string& name, bool greet);
 void new_document(App& app);
 // A drawing at the end of the strip, a GIF's all; a sheet of several asks how to cut it.
 void add_drawing(App& app, const NamedBytes& file);
-// Recorded motions (.bvh, or the animations of a .glb) as clips of the document's; the last is
-// played where there is a model.
-void add_motion(App& app, const NamedBytes& file);
-// A clip at the end of the document's, chosen and played.
-void add_clip(App& app, const std::string& undo_name, Animation animation);
 // Another skeleton, fitted to the drawing in view.
 void begin_with_template(App& app, Template kind);
 void save(App& app, bool ask_where, std::function<void()> then = {});

@@ -18,6 +18,7 @@
 #include "editor/session/tool.h"
 #include "editor/session/view.h"
 #include "model/fit/fit_marks.h"
+#include "model/rig/retarget.h"
 
 namespace artisketch {
 
@@ -151,7 +152,20 @@ struct Playback {
   int clip = 0;
   int key = -1;               // chosen, of the clip
   double time = 0;            // seconds
+  int first_row = 0;          // in view, of the clips besides the drawings'
+  int followed = 0;           // the clip that was last brought into view
   std::optional<Pose> posed;  // the result as the person dragged it
+};
+
+// What was dropped on the window and became clips.
+struct DroppedMotion {
+  std::vector<Motion> motions;
+  std::vector<Retargeted> made;    // of each, for the document as it was at `revision`
+  std::vector<std::string> clips;  // their names
+  std::size_t first = 0;           // animation of the document's; the others follow
+  RetargetOptions options;
+  long revision = -1;
+  int first_row = 0;  // in view, of the joints
 };
 
 // A joint's name while it is typed.
@@ -193,6 +207,7 @@ struct RunningJob {
 // What an export leaves out, and whether it waits for the model under way.
 struct PendingExport {
   std::set<std::string> without;  // clips
+  int first_row = 0;              // in view, of the clips
   bool waits = false;
 };
 
@@ -221,6 +236,7 @@ struct Session {
   Live live;
   std::optional<RunningJob> job;
   Playback playback;
+  std::optional<DroppedMotion> dropped;
   PendingExport export_wish;
   // Where each contour of a frame crosses itself; and per frame and joint: inside_other_parts.
   mutable Derived<std::vector<std::optional<Vec2>>, int> crossings;

@@ -9,6 +9,7 @@
 #include "editor/pictures/model_picture.h"
 #include "editor/pictures/view_projection.h"
 #include "editor/session/on_screen.h"
+#include "files/sprites.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -37,8 +38,11 @@ struct SketchPlace {
 struct ExportChoice {
   std::size_t format = 0;
   bool texture = true;
-  int halvings = 0;    // of the texture's sides
-  bool sides = false;  // sprites all round in place of one picture
+  int halvings = 0;     // of the texture's sides
+  bool sides = false;   // sprites all round in place of one picture
+  std::size_t rig = 0;  // 0: joints as drawn; else one more than the profile's row
+  bool compress = false;
+  SpriteOptions sprites;  // but for the clip: that is the one chosen in the timeline
 };
 
 // How far panels were dragged from their usual sizes, in points.
@@ -66,15 +70,15 @@ struct View {
   bool looping = true;                 // clips play again and again
   ExportChoice export_choice;
 
-  bool choosing_pose = false;                                  // to copy: the drawings are listed
-  bool choosing_copy = false;                                  // where to copy outlines
-  bool exporting = false, all_drawings = false, help = false;  // sheets
-  float strip_scroll = 0;                                      // points
+  bool choosing_pose = false;  // to copy: the drawings are listed
+  bool choosing_copy = false;  // where to copy outlines
+  bool exporting = false, mapping = false, all_drawings = false, help = false;  // sheets
+  float strip_scroll = 0;                                                       // points
   bool dark = true;
 
   // Another document was opened.
   void begin() {
-    welcome = exporting = choosing_pose = false;
+    welcome = exporting = mapping = choosing_pose = false;
     mode = Mode::outline;
     fit_again();
   }

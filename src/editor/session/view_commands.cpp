@@ -17,6 +17,7 @@ void enter(App& app) {
   app.tool().cancel(app);
   app.view.mode = mode;
   app.view.exporting = app.view.exporting && mode == Mode::result;
+  app.view.mapping = app.view.mapping && mode == Mode::result;
   Playback& playback = app.session.playback;
   if (mode != Mode::result) playback.playing = false;
   playback.posed.reset();

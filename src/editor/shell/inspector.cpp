@@ -9,6 +9,7 @@
 #include "editor/modes/outline/outline_panel.h"
 #include "editor/modes/pose/pose_panel.h"
 #include "editor/modes/result/export_sheet.h"
+#include "editor/modes/result/motion_sheet.h"
 #include "editor/modes/skeleton/skeleton_panel.h"
 #include "editor/session/part_fit.h"
 #include "editor/shell/panels.h"
@@ -242,7 +243,9 @@ void inspector(App& app, const Layout& layout) {
   if (layout.tablet) {
     hairline({layout.inspector.x, layout.inspector.y},
              {layout.inspector.right(), layout.inspector.y + 1});
-    if (app.view.exporting)
+    if (app.view.mapping)
+      motion_sheet(app, layout.inspector);
+    else if (app.view.exporting)
       export_sheet(app, layout.inspector);
     else if (app.view.mode == Mode::skeleton)
       skeleton_sheet(app, layout.inspector);
@@ -256,7 +259,9 @@ void inspector(App& app, const Layout& layout) {
   }
   hairline({layout.inspector.x, layout.inspector.y},
            {layout.inspector.x + 1, layout.inspector.bottom()});
-  if (app.view.exporting)
+  if (app.view.mapping)
+    motion_sheet(app, layout.inspector);
+  else if (app.view.exporting)
     export_sheet(app, layout.inspector);
   else if (app.view.mode == Mode::skeleton)
     skeleton_panel(app, layout.inspector);

@@ -46,7 +46,8 @@ Pose wave_pose(const Puppet& body, const ClipStyle& style, double phase) {
   const Vec3 hanging = about_z(20) * -Vec3::UnitY(), hanging_low = about_x(-12) * hanging;
   // Up beside the head, elbow out: there is room for a large one.
   const Vec3 raised = Vec3(1, 0.25, 0.25).normalized();
-  const Vec3 greeting = about_z(-22 * style.stride * swings) * Vec3(0.35, 1, 0.2).normalized();
+  // Clear of a large head at its inmost, too.
+  const Vec3 greeting = about_z(-20 * style.stride * swings) * Vec3(0.5, 1, 0.3).normalized();
   const auto between = [up](const Vec3& from, const Vec3& to) -> Vec3 {
     return Quat::Identity().slerp(up, least_turn(from, to)) * from;
   };

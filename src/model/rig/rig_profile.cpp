@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "model/rig/body_plan.h"
@@ -227,7 +228,10 @@ class Rig {
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       if (named_[j]) continue;
       std::string& name = joints_[j].name;
-      std::replace(name.begin(), name.end(), '.', '_');
+      // Unreal cuts names at dots and takes none of the others; Godot takes no : and no /.
+      for (char& c : name)
+        if (std::string_view("./:\\,|&!~@#(){}[]=;^%$`\"' ").find(c) != std::string_view::npos)
+          c = '_';
       while (!taken.insert(name).second) name += "_";
     }
   }

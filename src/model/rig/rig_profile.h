@@ -18,7 +18,7 @@ std::span<const RigProfile> rig_profiles();
 // The model with a person's joints renamed, and those that the profile asks for put in where there
 // are none, without weights: spine and neck along their bones, shoulders a third of the way to the
 // arms, toes two thirds of the way to the tips. Nothing that is seen moves, in any clip. Names
-// that the profile doesn't have lose their dots (Unreal cuts names there); none comes twice.
+// that the profile doesn't have lose dots and what else engines refuse; none comes twice.
 // Fails where there is no profile of that name, or no person: hips, a head, two arms, two legs.
 Result<Model> with_rig(const Model& model, std::string_view profile);
 

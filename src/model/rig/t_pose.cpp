@@ -4,6 +4,7 @@
 
 #include "base/rotation.h"
 #include "model/rig/body_plan.h"
+#include "model/rig/rig_profile.h"
 
 namespace artisketch {
 namespace {
@@ -91,6 +92,12 @@ Model t_posed(const Model& model) {
         key.rotations[j] = (above * key.rotations[j] * turns[j].conjugate()).normalized();
       }
   return posed;
+}
+
+Result<Model> for_engine(const Model& model, std::string_view profile) {
+  Result<Model> rigged = with_rig(model, profile);
+  if (!rigged || profile == "rigify") return rigged;
+  return t_posed(*rigged);
 }
 
 }  // namespace artisketch

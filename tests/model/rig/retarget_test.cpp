@@ -291,6 +291,95 @@ Feet measure(const Document& document, const Clip& clip, const Actor& actor,
   return most;
 }
 
+// All of it at once, feet planted, a line for each vocabulary: the worst over rest poses and axes.
+struct Row {
+  std::string name;
+  int kinds = 0, mapped = 0;
+  Apart off;
+  double legs = 0;
+  Feet feet;
+};
+using Pairs = std::vector<std::array<std::string, 4>>;
+using FeetPairs = std::vector<std::pair<std::string, std::string>>;
+
+Row row_of(const Vocabulary& names, const Actor& actor, const Document& document, const Pairs& arms,
+           const Pairs& legs, const std::string& hips, const FeetPairs& feet) {
+  Row row;
+  row.name = names.name;
+  for (const Kind& kind : kinds({names})) {
+    ++row.kinds;
+    const Result<Retargeted> result =
+        retargeted(document, read(actor, {&names, kind.rest, kind.z_up}), {});
+    if (!result) continue;
+    row.mapped += result->map.still.empty();
+    const Apart off = apart(document.skeleton, result->clip, actor, arms, hips);
+    row.off.limbs = std::max(row.off.limbs, off.limbs);
+    row.off.trunk = std::max(row.off.trunk, off.trunk);
+    row.legs = std::max(row.legs, apart(document.skeleton, result->clip, actor, legs, hips).limbs);
+    const Feet found = measure(document, result->clip, actor, feet);
+    row.feet.off_ground = std::max(row.feet.off_ground, found.off_ground);
+    row.feet.slides = std::max(row.feet.slides, found.slides);
+    row.feet.below = std::max(row.feet.below, found.below);
+  }
+  return row;
+}
+
+void print_and_expect(const std::vector<Row>& table) {
+  std::printf("%-24s %7s %7s %7s %7s %8s %8s\n", "vocabulary", "mapped", "arms", "legs", "trunk",
+              "ground", "slides");
+  for (const Row& row : table) {
+    std::printf("%-24s %3d/%-3d %6.2f\u00b0 %6.2f\u00b0 %6.2f\u00b0 %6.2f %% %6.2f %%\n",
+                row.name.c_str(), row.mapped, row.kinds, row.off.limbs, row.legs, row.off.trunk,
+                100 * row.feet.off_ground, 100 * row.feet.slides);
+    EXPECT_EQ(row.mapped, row.kinds) << row.name;
+    EXPECT_LT(row.off.limbs, 1) << row.name;
+    EXPECT_LT(row.off.trunk, 5) << row.name;
+    EXPECT_LT(row.feet.off_ground, 0.01) << row.name;
+    EXPECT_LT(row.feet.slides, 0.01) << row.name;
+    EXPECT_LT(row.feet.below, 0.01) << row.name;
+  }
+}
+
+TEST(RetargetTable, PersonsOfAnyVocabularyRestAndAxisWithFeetPlanted) {
+  const Actor actor = walking_person();
+  std::vector<Row> table;
+  for (const Vocabulary& names : vocabularies())
+    table.push_back(row_of(
+        names, actor, document_of(Template::human),
+        {{"upper_arm", "forearm", "upper_arm", "forearm"}, {"forearm", "hand", "forearm", "hand"}},
+        {{"thigh", "shin", "thigh", "shin"}, {"shin", "foot", "shin", "foot"}}, "hips",
+        {{"foot", "foot"}}));
+  print_and_expect(table);
+}
+
+// Legs that are as long as the motion's point as its legs do, planted or not; others bend
+// otherwise, to stand where they stand.
+TEST(RetargetTable, PlantedLegsOfTheSameProportionsPointAsTheActorsDo) {
+  const Actor actor = walking_person();
+  Document document;
+  document.skeleton = actor.skeleton;
+  Row row =
+      row_of(vocabularies()[0], actor, document, {{"upper_arm", "forearm", "upper_arm", "forearm"}},
+             {{"thigh", "shin", "thigh", "shin"}, {"shin", "foot", "shin", "foot"}}, "hips",
+             {{"foot", "foot"}});
+  row.name += ", as long";
+  print_and_expect({row});
+  EXPECT_LT(row.legs, 1);
+}
+
+TEST(RetargetTable, FourLegsOfAnyVocabularyRestAndAxisWithFeetPlanted) {
+  const Actor actor = walking_dog();
+  std::vector<Row> table;
+  for (const Vocabulary& names : four_legged_vocabularies())
+    table.push_back(row_of(names, actor, document_of(Template::quadruped), {},
+                           {{"fore_thigh", "fore_shin", "upper_arm", "forearm"},
+                            {"fore_shin", "fore_paw", "forearm", "hand"},
+                            {"hind_thigh", "hind_shin", "thigh", "shin"},
+                            {"hind_shin", "hind_paw", "shin", "foot"}},
+                           "body", {{"hind_paw", "foot"}, {"fore_paw", "hand"}}));
+  print_and_expect(table);
+}
+
 // Other proportions than the actor's: short legs, shins longer than thighs, big feet.
 Document short_legged() {
   Document document = document_of(Template::human);

@@ -1,11 +1,14 @@
 #include "model/rig/rig_profile.h"
 
+#include <map>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "document/templates.h"
+#include "model/rig/body_plan.h"
 #include "model/rig/library.h"
+#include "model/rig/t_pose.h"
 
 namespace artisketch {
 namespace {
@@ -129,11 +132,58 @@ TEST(RigProfile, EveryEnginesJointsStandInItsOrder) {
       EXPECT_LT(joints[j].parent, int(j));  // parents first
       roots += joints[j].parent < 0;
       EXPECT_TRUE(names.insert(joints[j].name).second) << joints[j].name;
-      if (std::string(engine.name) == "unreal") {
+      if (std::string(engine.name) != "rigify") {
         EXPECT_EQ(joints[j].name.find('.'), std::string::npos) << joints[j].name;
       }
     }
     EXPECT_EQ(roots, 1);
+  }
+}
+
+// What engines refuse in a name, and which joints they can't do without. Godot: Skeleton3D's names
+// have no : and no /, and SkeletonProfileHumanoid's required bones. Unreal: names end at dots.
+// Unity: the humanoid's fifteen.
+TEST(RigProfile, NamesAndJointsKeepEveryEnginesRules) {
+  const std::vector<std::string> limbs{"UpperArm", "LowerArm", "Hand",
+                                       "UpperLeg", "LowerLeg", "Foot"};
+  std::map<std::string, std::vector<std::string>> required{
+      {"godot", {"Root", "Hips", "Spine", "Chest", "UpperChest", "Neck", "Head"}},
+      {"unity", {"hips", "spine", "head"}},
+      {"unreal", {"root", "pelvis", "spine_01", "neck_01", "head"}}};
+  for (const std::string& limb : limbs)
+    for (const char* side : {"Left", "Right"}) {
+      required["godot"].push_back(side + limb);
+      required["unity"].push_back((side[0] == 'L' ? "left" : "right") + limb);
+    }
+  for (const char* joint :
+       {"clavicle", "upperarm", "lowerarm", "hand", "thigh", "calf", "foot", "ball"})
+    for (const char* side : {"_l", "_r"}) required["unreal"].push_back(joint + std::string(side));
+  Model drawn = person();
+  const int hips = 0;
+  for (const char* name : {"tail.1", "tail/2:end", "bow tie"})
+    drawn.skeleton.joints.push_back({name, hips, {0, 0, -0.1}, -1, ""});
+  for (Clip& clip : drawn.clips)
+    for (Pose& pose : clip.poses)
+      pose.rotations.resize(drawn.skeleton.joints.size(), Quat::Identity());
+  for (const auto& [engine, names] : required) {
+    const Result<Model> made = for_engine(drawn, engine);
+    ASSERT_TRUE(made) << made.error().text();
+    for (const std::string& name : names) EXPECT_GE(made->skeleton.find(name), 0) << name;
+    int roots = 0;
+    for (const Joint& joint : made->skeleton.joints) {
+      EXPECT_EQ(joint.name.find_first_of(".:/ "), std::string::npos) << joint.name;
+      roots += joint.parent < 0;
+    }
+    EXPECT_EQ(roots, 1) << engine;
+    // The T-pose, in which engines compare skeletons; joints have offsets alone, no turn and no
+    // scale.
+    const std::vector<Vec3> rest = rest_positions(made->skeleton);
+    const BodyPlan plan = body_plan_of(made->skeleton, rest, false);
+    for (std::size_t side = 0; side < 2; ++side) {
+      const LimbJoints &arm = plan.arms[side], &leg = plan.legs[side];
+      EXPECT_GT((rest[arm.end] - rest[arm.upper]).normalized().x() * (side == 0 ? 1 : -1), 0.99999);
+      EXPECT_GT((rest[leg.upper] - rest[leg.end]).normalized().y(), 0.99999) << engine;
+    }
   }
 }
 

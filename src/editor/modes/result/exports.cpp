@@ -5,11 +5,20 @@
 #include "editor/session/files.h"
 #include "editor/ui/icons.h"
 #include "files/gltf.h"
+#include "files/gltf_compress.h"
 #include "files/mesh_file.h"
 #include "files/preview.h"
+#include "files/vrm.h"
+#include "model/rig/rig_profile.h"
+#include "model/rig/t_pose.h"
 
 namespace artisketch {
 namespace {
+
+std::string export_stem(const App& app) {
+  const std::string& name = app.document().name;
+  return name.empty() ? "model" : name;
+}
 
 // Each pixel the mean of four.
 Image halved(const Image& from) {
@@ -31,11 +40,9 @@ Image halved(const Image& from) {
   return to;
 }
 
-Result<std::string> as_glb(const App& app) {
+// The model with the texture and the clips that were chosen.
+Model chosen_model(const App& app) {
   const ExportChoice& wish = app.view.export_choice;
-  if (wish.texture && wish.halvings == 0 && app.session.export_wish.without.empty() &&
-      !app.session.built->clips_edited)
-    return app.session.built->glb;
   Model model = app.session.built->model;
   if (!wish.texture) {
     model.texture.reset();
@@ -45,7 +52,41 @@ Result<std::string> as_glb(const App& app) {
   std::erase_if(model.clips, [&](const Clip& clip) {
     return app.session.export_wish.without.contains(clip.name);
   });
-  return glb_bytes(model);
+  return model;
+}
+
+Result<std::string> packed(const App& app, Result<std::string> bytes) {
+  if (!bytes || !app.view.export_choice.compress) return bytes;
+  return compressed_glb(*bytes);
+}
+
+Result<std::string> as_glb(const App& app) {
+  const ExportChoice& wish = app.view.export_choice;
+  if (wish.rig) {
+    const Result<Model> rigged = for_engine(chosen_model(app), rig_profiles()[wish.rig - 1].name);
+    return rigged ? packed(app, glb_bytes(*rigged)) : Result<std::string>(rigged.error());
+  }
+  if (wish.texture && wish.halvings == 0 && app.session.export_wish.without.empty() &&
+      !app.session.built->clips_edited)
+    return packed(app, app.session.built->glb);
+  return packed(app, glb_bytes(chosen_model(app)));
+}
+
+Result<std::string> as_vrm(const App& app) {
+  const Result<VrmMeta> meta = vrm_meta(app.document(), "the document");
+  if (!meta) return meta.error();
+  return packed(app, vrm_bytes(chosen_model(app), *meta));
+}
+
+// What the command line makes of the same model's GLB.
+Result<std::string> as_sprites(const App& app) {
+  const Result<std::string> glb = app.session.built->clips_edited
+                                      ? glb_bytes(app.session.built->model)
+                                      : app.session.built->glb;
+  if (!glb) return glb;
+  const Result<Model> model = read_glb(*glb, "the model");
+  if (!model) return model.error();
+  return sprite_zip(*model, sprite_wish(app), export_stem(app));
 }
 
 // The model with its surface as the view shows it.
@@ -79,10 +120,12 @@ Result<std::string> as_picture(const App& app) {
 
 constexpr ExportFormat kFormats[] = {
     {"GLB", "rigged, textured, animated", icon::kCubeSend, ".glb", as_glb},
+    {"VRM", "a person as an avatar", icon::kRun, ".vrm", as_vrm},
     {"OBJ", "the shape in this pose", icon::kCubeOutline, ".obj", as_obj},
     {"STL", "for 3D printing, in this pose", icon::kGrid, ".stl", as_stl},
     {"PLY", "the shape with its colours", icon::kPalette, ".ply", as_ply},
-    {"PNG", "picture, or sprites from 8 sides", icon::kImageMultiple, ".png", as_picture},
+    {"PNG", "from here, or from 8 sides", icon::kImage, ".png", as_picture},
+    {"Sprites", "a sheet of the chosen clip", icon::kImageMultiple, ".zip", as_sprites},
 };
 
 }  // namespace
@@ -92,12 +135,40 @@ std::span<const ExportFormat> export_formats() {
 }
 
 std::string export_name(const App& app, const ExportFormat& format) {
-  const std::string& name = app.document().name;
-  return (name.empty() ? "model" : name) + format.ending;
+  return export_stem(app) + format.ending;
 }
+
+SpriteOptions sprite_wish(const App& app) {
+  SpriteOptions options = app.view.export_choice.sprites;
+  const std::vector<Clip>& clips = app.session.built->model.clips;
+  if (const std::size_t chosen = std::size_t(app.session.playback.clip); chosen < clips.size())
+    options.clip = clips[chosen].name;
+  return options;
+}
+
+namespace {
+
+// An avatar says who made it: asked for once, and kept in the document.
+void ask_for_author(App& app) {
+  Question question;
+  question.title = "Who made it?";
+  question.words = "A .vrm says so. The document keeps the name.";
+  question.asks_path = true;
+  question.field = "Author";
+  question.with_path = [&app](const std::string& author) {
+    if (author.find_first_not_of(' ') == author.npos) return ask_for_author(app);
+    app.session.commit("Name the author", with_author(app.document(), author));
+    export_model(app);
+  };
+  question.answers = {{"Export", {}, true}, {"Cancel", {}}};
+  app.question = std::move(question);
+}
+
+}  // namespace
 
 void export_model(App& app) {
   const ExportFormat& format = export_formats()[app.view.export_choice.format];
+  if (format.bytes == as_vrm && !vrm_meta(app.document(), "")) return ask_for_author(app);
   Result<std::string> bytes = format.bytes(app);
   if (!bytes) return complain(app, bytes.error());
   const std::string name = export_name(app, format);

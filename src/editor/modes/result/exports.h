@@ -17,6 +17,7 @@ struct ExportFormat {
 };
 std::span<const ExportFormat> export_formats();
 std::string export_name(const App& app, const ExportFormat& format);
-void export_model(App& app);  // in the format that was chosen
+SpriteOptions sprite_wish(const App& app);  // of the clip chosen in the timeline
+void export_model(App& app);                // in the format that was chosen
 
 }  // namespace artisketch

@@ -6,7 +6,7 @@
 #include "document/animate.h"
 #include "editor/canvas/controls.h"
 #include "editor/canvas/pointer.h"
-#include "editor/session/files.h"
+#include "editor/session/motions_in.h"
 #include "editor/ui/icons.h"
 #include "editor/ui/menu.h"
 #include "model/rig/library.h"
@@ -49,6 +49,15 @@ void library_button(App& app, const Rect& place) {
     const Result<Clip> made = library_clip(skeleton, clip.name, {});
     if (made) add_clip(app, std::string("Add ") + clip.name, animation_of(*made));
   }
+}
+
+// What the motion that was dropped last moves.
+void motion_button(App& app, const Rect& place) {
+  Look look;
+  look.icon = icon::kWalk;
+  look.on = app.view.mapping;
+  look.hint = "Which joint of the motion moves which";
+  if (button("Motion", place.middle(kLibrary, 32), look)) app.view.mapping = !app.view.mapping;
 }
 
 void transport(App& app, Rect row, double length) {
@@ -94,11 +103,13 @@ void transport(App& app, Rect row, double length) {
   write(row.cut_left(48), Font::body_bold, t.text, now);
   write(row.cut_left(80), Font::caption, t.muted, of);
   row.cut_left(16);
-  command_button(app, "new_clip", row.cut_left(104).middle(104, 32));
+  if (row.w >= 104) command_button(app, "new_clip", row.cut_left(104).middle(104, 32));
   row.cut_left(8);
-  command_button(app, "set_key", row.cut_left(96).middle(96, 32));
+  if (row.w >= 96) command_button(app, "set_key", row.cut_left(96).middle(96, 32));
   row.cut_left(8);
   if (row.w >= kLibrary) library_button(app, row.cut_left(kLibrary).middle(kLibrary, 32));
+  row.cut_left(8);
+  if (row.w >= kLibrary && dropped_motion(app)) motion_button(app, row.cut_left(kLibrary));
 }
 
 // The keys of a clip of the document's: a click goes there, a drag moves it in time.
@@ -187,6 +198,29 @@ void clip_row(App& app, int c, const Rect& row, const Ruler& ruler) {
   if (c > 0) keys_row(app, c, band, ruler);
 }
 
+// The clips' rows: the drawings' stays, the others go by the wheel, and to one just chosen.
+void rows_of_clips(App& app, Rect place, const Ruler& ruler) {
+  constexpr float kRow = 26;
+  const int rows = int(app.session.built->model.clips.size());
+  if (place.h <= 20) return;
+  const float tall = std::min(48.0f, place.h - 4 - kRow * std::min(1.0f, float(rows - 1)));
+  clip_row(app, 0, place.cut_top(tall), ruler);
+  place.cut_bottom(2);
+  Playback& playback = app.session.playback;
+  const int fit = std::max(1, int(place.h / kRow));
+  if (playback.followed != playback.clip) {
+    playback.followed = playback.clip;
+    if (playback.clip > 0)
+      playback.first_row = std::clamp(playback.first_row, playback.clip - fit, playback.clip - 1);
+  }
+  Rect names = place;
+  names.w -= 8;
+  const Rows shown = scrolled_rows(playback.first_row, rows - 1, kRow, names);
+  for (int c = shown.first + 1; c < shown.end + 1 && c < int(app.session.built->model.clips.size());
+       ++c)
+    clip_row(app, c, place.cut_top(kRow), ruler);
+}
+
 }  // namespace
 
 void timeline(App& app, const Layout& layout) {
@@ -231,10 +265,7 @@ void timeline(App& app, const Layout& layout) {
     if (whole)
       write({x + 5, scale.y, 60, 16}, Font::small, t.muted, std::to_string(quarter / 4) + " s");
   }
-  const int rows = int(clips.size());
-  const float tall = std::min(48.0f, place.h - 4 - 26 * std::min(1.0f, float(rows - 1)));
-  for (int c = 0; c < rows && c < int(clips.size()) && place.h > 20; ++c)
-    clip_row(app, c, place.cut_top(c == 0 ? tall : 26), ruler);
+  rows_of_clips(app, place, ruler);
   const float x = ruler.of(app.session.playback.time);
   draw().AddLine({x, scale.y + 4}, {x, layout.strip.bottom() - 4}, t.accent, 2);
   draw().AddRectFilled({x - 6, scale.y}, {x + 6, scale.y + 8}, t.accent, 2);
