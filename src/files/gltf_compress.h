@@ -1,6 +1,6 @@
 // Smaller glTF: numbers in fewer bits (KHR_mesh_quantization), and what is left of them packed
-// (EXT_meshopt_compression). Source of the packing: meshoptimizer's codecs, of the versions that the
-// extension names.
+// (EXT_meshopt_compression). Source of the packing: meshoptimizer's codecs, of the versions that
+// the extension names.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace artisketch {
 
-// A file of glb_bytes or vrm_bytes, the same model in fewer bytes: vertices and triangles in another
-// order; positions as they are, in steps of their own; normals to 8 bits a component, texture
-// coordinates to 16, weights to 255ths that add up, rotations to 14 bits. Readers need both
+// A file of glb_bytes or vrm_bytes, the same model in fewer bytes: vertices and triangles in
+// another order; positions as they are, in steps of their own; normals to 8 bits a component,
+// texture coordinates to 16, weights to 255ths that add up, rotations to 14 bits. Readers need both
 // extensions: three.js and Babylon.js have them, Godot does not.
 std::string compressed_glb(const std::string& glb);
 

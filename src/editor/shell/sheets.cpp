@@ -94,7 +94,8 @@ void question_sheet(App& app, float width, float height) {
   if (app.question->asks_path) {
     write(column.cut_top(22), Font::body, t.muted, app.question->words);
     column.cut_top(6);
-    if (text_field(app.question->field, column.cut_top(34), app.question->path, ImGui::IsWindowAppearing())) {
+    if (text_field(app.question->field, column.cut_top(34), app.question->path,
+                   ImGui::IsWindowAppearing())) {
       act = [with = app.question->with_path, path = app.question->path] { with(path); };
       answered = true;
     }
