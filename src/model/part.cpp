@@ -1,6 +1,7 @@
 // A part's virtual cameras (the paper's section 2.1).
 #include <cmath>
 
+#include "model/one_order.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -53,7 +54,7 @@ std::vector<Part> parts_of(const Document& document) {
       if (bone.joint == joint) part.bones.push_back(bone);
     for (int f = 0; f < int(document.frames.size()); ++f) {
       PartView view;
-      view.contours = without_specks(contours_of(document.frames[f], joint));
+      view.contours = in_one_order(without_specks(contours_of(document.frames[f], joint)));
       if (view.contours.empty()) continue;
       view.frame = f;
       view.camera = frame_camera(document, f);

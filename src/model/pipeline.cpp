@@ -9,6 +9,7 @@
 #include "base/blocking.h"
 #include "base/words.h"
 #include "document/place_words.h"
+#include "model/one_order.h"
 #include "model/rig/snap_rims.h"
 #include "model/stage_clock.h"
 #include "model/stages.h"
@@ -100,9 +101,11 @@ PipelineOptions with_settings(PipelineOptions options, const DocumentSettings& s
   return options;
 }
 
-Result<Reconstruction> reconstruct(const Document& document, const PipelineOptions& options,
-                                   Run& run) {
-  fix_blocking();
+namespace {
+
+// Of a document whose joints are in one order.
+Result<Reconstruction> reconstruct_ordered(const Document& document, const PipelineOptions& options,
+                                           Run& run) {
   Reconstruction out;
   StageClock stages(run, out.stages);
   out.calibrated = document;
@@ -185,6 +188,17 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
   stages.finish({});
   run.report(1);
   return out;
+}
+
+}  // namespace
+
+Result<Reconstruction> reconstruct(const Document& document, const PipelineOptions& options,
+                                   Run& run) {
+  fix_blocking();
+  const std::vector<int> order = joints_in_one_order(document.skeleton);
+  Result<Reconstruction> made = reconstruct_ordered(with_joints_in(document, order), options, run);
+  if (!made) return made.error();
+  return with_joints_in(std::move(*made), inverse(order));
 }
 
 }  // namespace artisketch

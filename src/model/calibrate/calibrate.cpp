@@ -8,6 +8,7 @@
 #include "base/blocking.h"
 #include "model/calibrate/calibration_words.h"
 #include "model/calibrate/ray_residuals.h"
+#include "model/one_order.h"
 
 namespace artisketch {
 namespace {
@@ -68,6 +69,7 @@ std::vector<Coverage> coverage(const Document& document, const RayResiduals& ray
         met += squared <= kTouch * kTouch;
         sum += squared;
       }
+      if (misses[v].empty()) continue;  // no rays: nothing speaks against it
       Coverage& one = all[{part.joint, part.views[v].frame}];
       one.share = met / double(misses[v].size());
       one.miss = std::sqrt(sum / double(misses[v].size()));
@@ -117,11 +119,9 @@ Result<Calibration> calibrate_by(Method method, const Document& document, Run& r
   return calibrate_rays(document, run);
 }
 
-}  // namespace
-
-Result<Calibration> calibrate(const Document& whole, const CalibrateOptions& options, Run& run) {
-  fix_blocking();
-  const Document document = with_posed_contours(whole);
+// Of a document whose outlines and joints are in one order.
+Result<Calibration> calibrate_ordered(const Document& document, const CalibrateOptions& options,
+                                      Run& run) {
   Calibration result = unmoved(document);
   const RayResiduals rays = rays_to_compare(document);
   const std::vector<Coverage> before = coverage(document, rays, result.poses, result.scales);
@@ -148,6 +148,17 @@ Result<Calibration> calibrate(const Document& whole, const CalibrateOptions& opt
   for (std::size_t i = 0; i < before.size(); ++i)
     result.coverage.push_back({before[i].joint, before[i].frame, before[i].share, after[i].share});
   return result;
+}
+
+}  // namespace
+
+Result<Calibration> calibrate(const Document& document, const CalibrateOptions& options, Run& run) {
+  fix_blocking();
+  const std::vector<int> order = joints_in_one_order(document.skeleton);
+  Result<Calibration> found = calibrate_ordered(
+      in_one_order(with_joints_in(with_posed_contours(document), order)), options, run);
+  if (!found) return found.error();
+  return with_joints_in(std::move(*found), inverse(order));
 }
 
 }  // namespace artisketch

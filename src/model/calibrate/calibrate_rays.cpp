@@ -22,6 +22,7 @@
 #include "document/place_words.h"
 #include "model/calibrate/calibration_words.h"
 #include "model/calibrate/pose_solver.h"
+#include "model/one_order.h"
 
 namespace artisketch {
 namespace {
@@ -336,13 +337,30 @@ SolvedPoses unneeded_held(const Document& document, const RayResiduals& residual
   return best;
 }
 
+Document with_frames_of(Document document, const std::vector<int>& order) {
+  std::vector<Frame> frames;
+  for (const int f : order) frames.push_back(std::move(document.frames[f]));
+  document.frames = std::move(frames);
+  return document;
+}
+
+template <class T>
+std::vector<T> as_given(std::vector<T> in_order, const std::vector<int>& order) {
+  std::vector<T> given(in_order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) given[order[i]] = std::move(in_order[i]);
+  return given;
+}
+
 }  // namespace
 
-Result<Calibration> calibrate_rays(const Document& document, Run& run) {
+Result<Calibration> calibrate_rays(const Document& given, Run& run) {
   Calibration result;
+  freedom_of(given, given.calibration.free_first_frame, result.warnings);
+  const std::vector<int> order = frames_in_one_order(given);
+  const Document document = with_frames_of(given, order);
   const RayResiduals residuals = RayResiduals(document, kRayStep, kMostRays).thinned();
-  const PoseFreedom freedom =
-      freedom_of(document, document.calibration.free_first_frame, result.warnings);
+  std::vector<std::string> said;  // above, of the drawings as they are numbered
+  const PoseFreedom freedom = freedom_of(document, document.calibration.free_first_frame, said);
   // A limit of nothing is a prior of next to nothing: widths are divided by.
   constexpr double kLeastTurn = 1e-6;   // radians
   constexpr double kLeastShift = 1e-3;  // pixels
@@ -391,8 +409,8 @@ Result<Calibration> calibrate_rays(const Document& document, Run& run) {
   result.energy_before = robust(user);
   result.energy_after = robust(best.change);
   result.iterations = solver.iterations() + fine.iterations();
-  result.poses = solver.poses(best.change);
-  result.scales = solver.scales(best.change);
+  result.poses = as_given(solver.poses(best.change), order);
+  result.scales = as_given(solver.scales(best.change), order);
   return result;
 }
 

@@ -54,7 +54,8 @@ RayResiduals::View view_of(const Document& document, int frame, int joint, doubl
     const std::vector<Vec2> points = resampled(line, step).points;
     view.points.insert(view.points.end(), points.begin(), points.end());
   }
-  view.weight = total / double(view.points.size()) / (unit * unit * unit);
+  const double rays = std::max(double(view.points.size()), 1.0);
+  view.weight = total / rays / (unit * unit * unit);
   view.centroid = centroid(lines);
   view.size = std::max(std::sqrt(area), unit);
   return view;
@@ -167,7 +168,7 @@ RayResiduals RayResiduals::thinned(int most) const {
       const std::size_t all = view.points.size(), kept = std::min<std::size_t>(all, wanted);
       for (std::size_t i = 0; i < kept; ++i) view.points[i] = view.points[i * all / kept];
       view.points.resize(kept);
-      view.weight *= double(all) / double(kept);
+      if (kept > 0) view.weight *= double(all) / double(kept);
     }
   }
   return fewer;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include <Eigen/Dense>
 
@@ -390,11 +392,13 @@ void widen_until_they_meet(Carving& carving, std::vector<std::string>& warnings)
   }
   // What barely meets is a sliver: a share of the smallest outline gives it a body.
   double smallest = std::numeric_limits<double>::infinity();
-  std::string frames;
+  std::set<int> numbers;
   for (const Silhouette& view : carving.views) {
     smallest = std::min(smallest, view.view->outline.box().sizes().minCoeff());
-    frames += (frames.empty() ? "" : ", ") + std::to_string(view.view->frame + 1);
+    numbers.insert(view.view->frame + 1);
   }
+  std::string frames;
+  for (const int number : numbers) frames += (frames.empty() ? "" : ", ") + std::to_string(number);
   const double grown = most + 0.15 * smallest;
   for (Silhouette& view : carving.views) view.grown = grown;
   warnings.push_back("'" + carving.name + "': its contours in frames " + frames +

@@ -1,9 +1,11 @@
 // One part, by the chosen method.
+#include "model/one_order.h"
 #include "model/stages.h"
 
 namespace artisketch {
 
-Result<PartSurface> reconstruct_part(const Part& part, const SurfaceOptions& options, Run& run) {
+Result<PartSurface> reconstruct_part(const Part& given, const SurfaceOptions& options, Run& run) {
+  const Part part = with_views_in_one_order(given);
   switch (options.method) {
     case Method::paper:
       return surface_paper(part, options, run);
