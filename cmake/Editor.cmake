@@ -130,6 +130,6 @@ endif()
 
 if(NOT EMSCRIPTEN)
   target_link_libraries(artisketch_window PUBLIC GLESv2)
-  add_executable(artisketch-editor EXCLUDE_FROM_ALL native_main/editor_main.cpp native_main/desktop.cpp native_main/kept_work.cpp native_main/script.cpp)
+  add_executable(artisketch-editor EXCLUDE_FROM_ALL native_main/editor_main.cpp native_main/desktop.cpp native_main/kept_work.cpp native_main/seen_files.cpp native_main/script.cpp)
   target_link_libraries(artisketch-editor PRIVATE artisketch_window artisketch::json artisketch_warnings)
 endif()

@@ -39,9 +39,10 @@ fs::path kept_folder() {
 }
 
 // A document comes with its drawings inside, so that the editor needs no folder.
-Result<NamedBytes> read_named(const std::string& path) {
+Result<NamedBytes> read_named(const std::string& path, SeenFiles& seen) {
   Result<std::string> bytes = read_file(path);
   if (!bytes) return bytes.error();
+  seen.saw(path, *bytes);
   NamedBytes file{fs::path(path).filename().string(), std::move(*bytes), path};
   if (fs::path(path).extension() == ".artisketch") {
     Result<std::string> whole = with_images_inside(file.bytes, path);
@@ -51,10 +52,10 @@ Result<NamedBytes> read_named(const std::string& path) {
   return file;
 }
 
-Result<std::vector<NamedBytes>> read_all(const std::vector<std::string>& paths) {
+Result<std::vector<NamedBytes>> read_all(const std::vector<std::string>& paths, SeenFiles& seen) {
   std::vector<NamedBytes> files;
   for (const std::string& path : paths) {
-    Result<NamedBytes> file = read_named(path);
+    Result<NamedBytes> file = read_named(path, seen);
     if (!file) return file.error();
     files.push_back(std::move(*file));
   }
@@ -124,7 +125,7 @@ void Desktop::open_files(Kind kind, Opened then) {
   }
   ask(std::move(command), [this, document, then](std::vector<std::string> paths) {
     if (document) remember(paths.front());
-    then(read_all(paths));
+    then(read_all(paths, seen_));
   });
 }
 
@@ -133,9 +134,16 @@ void Desktop::save_file(const std::string& name, const std::string& place, std::
   const auto write = [this, then](const std::string& path, const std::string& bytes) {
     const Result<Done> done = write_file(path, bytes);
     if (!done) return then(done.error());
+    seen_.saw(path, bytes);
     if (fs::path(path).extension() == ".artisketch") remember(path);
     then(Saved{fs::path(path).filename().string(), path});
   };
+  if (!place.empty() && seen_.changed(place)) {
+    seen_.forget(place);
+    return then(io_error(fs::path(place).filename().string() +
+                         " was saved by another program since it was opened here. Save as keeps "
+                         "both; saving once more replaces it"));
+  }
   if (!place.empty()) return write(place, bytes);
   const std::string command =
       runs("zenity") ? "zenity --file-selection --save --confirm-overwrite --title='Save' "
@@ -173,7 +181,7 @@ void Desktop::remember(const std::string& place) {
 }
 
 void Desktop::open_recent(const std::string& place, Opened then) {
-  Result<std::vector<NamedBytes>> files = read_all({place});
+  Result<std::vector<NamedBytes>> files = read_all({place}, seen_);
   if (files && fs::path(place).extension() == ".artisketch") remember(place);
   then(std::move(files));
 }
@@ -217,7 +225,7 @@ std::vector<ExampleCard> Desktop::examples() {
 
 void Desktop::load_example(const std::string& name, std::function<void(Result<Example>)> then) {
   const Result<NamedBytes> document =
-      read_named((examples_ / name / (name + ".artisketch")).string());
+      read_named((examples_ / name / (name + ".artisketch")).string(), seen_);
   if (!document) return then(document.error());
   const Result<std::string> glb = read_file((examples_ / name / (name + ".glb")).string());
   if (!glb) return then(glb.error());

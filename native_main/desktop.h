@@ -9,6 +9,7 @@
 
 #include "editor/session/platform.h"
 #include "kept_work.h"
+#include "seen_files.h"
 
 struct SDL_Window;
 
@@ -49,6 +50,7 @@ class Desktop : public Platform {
 
   std::filesystem::path examples_, kept_;
   KeptWork work_;
+  SeenFiles seen_;
   SDL_Window* window_ = nullptr;
   std::thread asking_;
   std::mutex mutex_;

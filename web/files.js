@@ -9,6 +9,7 @@ function browserFiles(kept, tell) {
   const kMostRecents = 8;
   const kLineSide = 1024; // pixels, the longer side of an SVG
   const handles = new Map(); // place → FileSystemFileHandle
+  const seen = new Map(); // place → what the file was like when it was read or written here last
   const isDocument = (name) => /\.artisketch$/i.test(name);
   const kinds = {
     artisketch: {description: 'ArtiSketch document', accept: {'application/json': ['.artisketch']}},
@@ -88,12 +89,25 @@ function browserFiles(kept, tell) {
     return {width: pixels(naturalWidth), height: pixels(naturalHeight)};
   }
 
+  const likeness = ({lastModified, size}) => `${lastModified} ${size}`;
+
+  // Another tab or program may have saved there since: it is not replaced unasked.
+  async function refuseChanged(name, place, handle) {
+    const before = seen.get(place);
+    const now = before && await handle.getFile().then(likeness, () => before); // gone: nothing to lose
+    if (now === before) return;
+    seen.delete(place);
+    throw new Error(`${name} was saved by another program since it was opened here. Save as keeps both; ` +
+      'saving once more replaces it');
+  }
+
   async function deliver(question, files) {
     let fault = '';
     for (const {file, handle} of files) {
       const bytes = await asTheEditorReads(file).catch((error) => void (fault = words(error)));
       if (!bytes) continue; // the others are taken all the same
       const place = handle && isDocument(file.name) ? await placeOf(handle) : '';
+      if (place) seen.set(place, likeness(file));
       await remember(file.name, place, handle, bytes);
       tell('page_file', file.name, place, bytes);
     }
@@ -149,10 +163,12 @@ function browserFiles(kept, tell) {
       await remember(name, '', null, bytes);
       return {name, place: ''};
     }
+    if (place && handle === handles.get(place)) await refuseChanged(name, place, handle);
     const stream = await handle.createWritable();
     await stream.write(bytes);
     await stream.close();
     const where = await placeOf(handle);
+    await handle.getFile().then((file) => seen.set(where, likeness(file)), () => seen.delete(where));
     await remember(handle.name, where, handle, bytes);
     return {name: handle.name, place: where};
   }

@@ -745,6 +745,9 @@ int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ExtrasError&) {
     return unknown_words(app);
+  } catch (const CLI::RequiredError& error) {
+    // What is missing may be there, mistyped.
+    return app.remaining(true).empty() ? (app.exit(error), kBadCommandLine) : unknown_words(app);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) ? kBadCommandLine : kDone;
   }

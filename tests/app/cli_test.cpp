@@ -232,6 +232,7 @@ TEST_F(CommandLine, AWrongWordIsAnsweredWithTheRightOne) {
       {{"version"}, "did you mean artisketch --version?"},
       {{"reconstruct", kCircles, "-o", "x.glb", "--gird", "64"},
        "no option --gird; did you mean --grid?"},
+      {{"reconstruct", kCircles, "--outptu", "x.glb"}, "did you mean --output?"},
       {{"check", kCircles, kHero}, "what is to be done with"},
   };
   for (const auto& c : cases) {
