@@ -284,8 +284,8 @@ std::string text_beside(Document document, const std::string& from, const std::s
     const fs::path beside =
         fs::relative(image, fs::absolute(fs::path(to), failed).parent_path(), failed);
     if (failed || beside.empty()) continue;
-    const Result<std::string> bytes =
-        leaves_folder(beside.generic_string()) ? read_file(image.string()) : io_error("");
+    const bool moves_in = leaves_folder(beside.generic_string()) && !leaves_folder(frame.image);
+    const Result<std::string> bytes = moves_in ? read_file(image.string()) : io_error("");
     if (bytes && decode_image(*bytes, ""))
       frame.image = data_uri(*bytes);
     else

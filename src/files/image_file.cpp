@@ -449,8 +449,7 @@ std::vector<std::string> drawing_words(const Document& document, const std::stri
   for (const Frame& frame : document.frames) {
     if (frame.image.empty()) continue;
     const std::string whose = path + ": the image of frame '" + frame.name + "' ";
-    if (leaves_folder(frame.image))
-      words.push_back(whose + "lies outside the document's folder: " + frame.image);
+    if (leaves_folder(frame.image)) continue;  // not read: load_frame_image says so
     const Result<std::string> bytes = image_bytes(frame.image, path);
     if (const std::string profile = bytes ? colour_profile(*bytes) : ""; !profile.empty())
       words.push_back(whose + "has a colour profile (" + profile +
@@ -462,6 +461,10 @@ std::vector<std::string> drawing_words(const Document& document, const std::stri
 Result<Image> load_frame_image(const Frame& frame, const std::string& document_path) {
   if (frame.image.empty()) return Image();
   const std::string whose = document_path + ": the image of frame '" + frame.name + "'";
+  // Documents come from anybody, and what they name goes into models that are shown to anybody.
+  if (leaves_folder(frame.image))
+    return bad_input(whose + " lies outside the document's folder: " + frame.image +
+                     "; put the drawing beside the document, or a link to it");
   const Result<std::string> bytes = image_bytes(frame.image, document_path);
   if (!bytes)
     return bad_input(whose + ": " + bytes.error().text() +

@@ -27,15 +27,14 @@ std::string colour_profile(std::string_view bytes);
 std::string png_bytes(const Image& image);
 
 // A frame's drawing: a path relative to the document's folder, or a data: URI. An empty image where
-// the frame has none. Fails, naming the frame and what to do, where it cannot be read or is not of
-// the frame's size.
+// the frame has none. Fails, naming the frame and what to do, where it cannot be read, is not of
+// the frame's size, or lies outside the document's folder.
 Result<Image> load_frame_image(const Frame& frame, const std::string& document_path);
 
 // Whether a frame's image is a path that climbs out of its document's folder.
 bool leaves_folder(const std::string& image);
 
-// What a person should know of a document's drawings: those outside its folder, and colour profiles
-// that are not used.
+// What a person should know of a document's drawings: colour profiles that are not used.
 std::vector<std::string> drawing_words(const Document& document, const std::string& document_path);
 
 // The drawings of all frames: an empty one, and the reason in `warnings`, where one cannot be read

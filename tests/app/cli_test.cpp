@@ -3,8 +3,10 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -421,6 +423,38 @@ TEST_F(CommandLine, CtrlCStopsItAndLeavesNoFile) {
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+// As Files.ASaveThatIsKilledLeavesOldOrNew; ARTISKETCH_KILLS says how often.
+TEST_F(CommandLine, AnExportThatIsKilledLeavesOldOrNew) {
+  const std::string glb = path("c.glb"), report = path("c.json");
+  const auto export_to = [&](const std::string& model) {
+    return std::vector<std::string>{"reconstruct", kCircles,  "-o",       model,  "--grid",
+                                    "16",          "--quiet", "--report", report, "--no-texture"};
+  };
+  ASSERT_EQ(run(export_to(glb)), 0) << err;
+  const std::string whole = *read_file(glb), old = "precious";
+  const char* asked = std::getenv("ARTISKETCH_KILLS");
+  const int kills = asked ? std::atoi(asked) : 12;
+  std::mt19937 random(1);
+  for (int i = 0; i < kills; ++i) {
+    ASSERT_TRUE(write_file(glb, old));
+    const pid_t child = fork();
+    if (child == 0) {
+      std::vector<std::string> words = export_to(glb);
+      words.insert(words.begin(), "artisketch");
+      std::vector<char*> argv;
+      for (std::string& word : words) argv.push_back(word.data());
+      argv.push_back(nullptr);
+      execv(ARTISKETCH_CLI, argv.data());
+      _exit(127);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 600));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    const std::string left = *read_file(glb);
+    ASSERT_TRUE(left == old || left == whole) << left.size();
+  }
 }
 
 TEST_F(CommandLine, AMotionFromElsewhereAndClipsOfTheLibrary) {

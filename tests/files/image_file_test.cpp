@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -397,6 +398,30 @@ TEST(ImageFile, APathThatLeavesTheDocumentsFolderIsSeen) {
     EXPECT_TRUE(leaves_folder(path)) << path;
   for (const char* path : {"a.png", "x/../a.png", "..a.png", "x//y/.././a.png", "data:../x", ""})
     EXPECT_FALSE(leaves_folder(path)) << path;
+}
+
+TEST(ImageFile, NoPathLeadsOutOfTheDocumentsFolder) {
+  const std::string folder = ::testing::TempDir() + "/artisketch_inner";
+  std::filesystem::create_directory(folder);
+  const std::string outside = ::testing::TempDir() + "/artisketch_outside.png";
+  ASSERT_TRUE(write_file(outside, png_bytes(checks(12, 9, 255))));
+  Frame frame;
+  frame.name = "side";
+  frame.width = 12;
+  frame.height = 9;
+  for (const std::string& path : {std::string("../artisketch_outside.png"), outside}) {
+    frame.image = path;
+    const Result<Image> read = load_frame_image(frame, folder + "/d.artisketch");
+    ASSERT_FALSE(read) << path;
+    EXPECT_NE(read.error().text().find("'side' lies outside the document's folder: " + path),
+              std::string::npos)
+        << read.error().text();
+  }
+  std::filesystem::create_symlink("../artisketch_outside.png", folder + "/link.png");
+  frame.image = "link.png";  // which its owner put there
+  EXPECT_TRUE(load_frame_image(frame, folder + "/d.artisketch"));
+  std::filesystem::remove_all(folder);
+  std::filesystem::remove(outside);
 }
 
 TEST(ImageFile, AColourProfileThatIsNotUsedIsNamed) {
