@@ -169,7 +169,8 @@ std::vector<int> pieces_of_parts(const Body& body, const PartTree& tree, const S
       const double d = body.part_distance(i, s.mesh.V.row(v).transpose());
       if (d < least) least = d, nearest = i;
     }
-    ++count[nearest][s.found.of[v]];
+    // Beside a camera in its midst a part has no distances that are numbers.
+    if (nearest >= 0) ++count[nearest][s.found.of[v]];
   }
   std::vector<int> piece_of(body.size(), -1);
   for (int i = 0; i < body.size(); ++i) {
