@@ -352,21 +352,6 @@ TEST(RetargetTable, PersonsOfAnyVocabularyRestAndAxisWithFeetPlanted) {
   print_and_expect(table);
 }
 
-// Legs that are as long as the motion's point as its legs do, planted or not; others bend
-// otherwise, to stand where they stand.
-TEST(RetargetTable, PlantedLegsOfTheSameProportionsPointAsTheActorsDo) {
-  const Actor actor = walking_person();
-  Document document;
-  document.skeleton = actor.skeleton;
-  Row row =
-      row_of(vocabularies()[0], actor, document, {{"upper_arm", "forearm", "upper_arm", "forearm"}},
-             {{"thigh", "shin", "thigh", "shin"}, {"shin", "foot", "shin", "foot"}}, "hips",
-             {{"foot", "foot"}});
-  row.name += ", as long";
-  print_and_expect({row});
-  EXPECT_LT(row.legs, 1);
-}
-
 TEST(RetargetTable, FourLegsOfAnyVocabularyRestAndAxisWithFeetPlanted) {
   const Actor actor = walking_dog();
   std::vector<Row> table;
