@@ -105,7 +105,7 @@ std::vector<Command> edit_commands() {
        .name = "Notes",
        .icon = icon::kAlert,
        .about = "What was noticed on the way, drawing by drawing",
-       .available = [](const App& app) { return !notes_of(app).empty(); },
+       .available = [](const App& app) { return count_notes(app) > 0; },
        .on = [](const App& app) { return app.session.notes_shown; },
        .run = [](App& app) { app.session.notes_shown = !app.session.notes_shown; }},
       {.id = "step_back",

@@ -4,21 +4,38 @@
 
 namespace artisketch {
 
+namespace {
+
+// What there is to read, and the document that it names places of; nothing: null.
+struct Noticed {
+  const Document* document = nullptr;
+  const std::vector<std::string>* warnings = nullptr;
+};
+Noticed noticed(const App& app) {
+  if (const auto& proposal = app.session.proposal)
+    return {&proposal->document, &proposal->warnings};
+  if (const auto& built = app.session.built) return {&built->document, &built->warnings};
+  return {};
+}
+
+}  // namespace
+
+int count_notes(const App& app) {
+  const Noticed all = noticed(app);
+  return all.warnings ? int(all.warnings->size()) : 0;
+}
+
 std::vector<PlacedWords> notes_of(const App& app) {
   std::vector<PlacedWords> notes;
-  const auto add = [&](const Document& document, const std::vector<std::string>& warnings) {
-    for (const std::string& words : warnings) {
-      PlacedWords note = placed_words(document, words);
-      // The document may have been changed since.
-      if (note.frame >= int(app.document().frames.size())) note.frame = -1;
-      if (note.joint >= app.document().skeleton.size()) note.joint = -1;
-      notes.push_back(std::move(note));
-    }
-  };
-  if (app.session.proposal)
-    add(app.session.proposal->document, app.session.proposal->warnings);
-  else if (app.session.built)
-    add(app.session.built->document, app.session.built->warnings);
+  const Noticed all = noticed(app);
+  if (!all.warnings) return notes;
+  for (const std::string& words : *all.warnings) {
+    PlacedWords note = placed_words(*all.document, words);
+    // The document may have been changed since.
+    if (note.frame >= int(app.document().frames.size())) note.frame = -1;
+    if (note.joint >= app.document().skeleton.size()) note.joint = -1;
+    notes.push_back(std::move(note));
+  }
   return notes;
 }
 

@@ -10,6 +10,7 @@ namespace artisketch {
 
 // Of the poses that are proposed, where such are, else of the model; in the editor's words.
 std::vector<PlacedWords> notes_of(const App& app);
+int count_notes(const App& app);  // for every frame: no words are looked at
 
 // Where drawings show the figure in other sizes: the drawing and the scale that makes up for it.
 struct ScaleOffer {

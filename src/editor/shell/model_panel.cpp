@@ -143,7 +143,7 @@ void model_foot(App& app, const Rect& band) {
   const Theme& t = theme();
   Rect row = band.inset(16, 0);
   if (!app.shown()) return;
-  if (const int notes = int(notes_of(app).size()); notes > 0) {
+  if (const int notes = count_notes(app); notes > 0) {
     const std::string label = counted(notes, "note");
     Look look;
     look.quiet = true;
