@@ -181,14 +181,8 @@ void shortcut_sheet(App& app, float width, float height) {
     return;
   }
   const Panel panel("Shortcuts", place, t.raised, Panel::Layer::floating, kRadiusPanel);
-  Rect head = Rect{place.x + 24, place.y + 12, place.w - 36, 44};
-  Look close;
-  close.icon = icon::kClose;
-  close.quiet = true;
-  close.key = "Esc";
-  close.id = "Close shortcuts";
-  if (icon_button("Close", head.cut_right(28).middle(28, 28), close)) app.view.help = false;
-  write(head, Font::title, t.text, "Shortcuts");
+  if (sheet_head({place.x + 24, place.y + 12, place.w - 36, 44}, "Shortcuts", "Close shortcuts"))
+    app.view.help = false;
   const float column = (place.w - 48) / float(columns);
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t i = 0; i < all[c].size(); ++i) {

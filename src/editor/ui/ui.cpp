@@ -311,6 +311,17 @@ bool tool_button(const std::string& label, const Rect& place, const Look& look, 
   return press.clicked;
 }
 
+bool sheet_head(Rect head, const std::string& title, const std::string& id) {
+  Look close;
+  close.icon = icon::kClose;
+  close.quiet = true;
+  close.key = "Esc";
+  close.id = id;
+  const bool pressed = icon_button("Close", head.cut_right(28).middle(28, 28), close);
+  write(head, Font::title, theme().text, title);
+  return pressed;
+}
+
 bool checkbox(const std::string& label, const Rect& place, bool& on, bool show_label) {
   const Press press = press_area(label, place, true, on);
   if (press.clicked) on = !on;

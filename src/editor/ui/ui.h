@@ -70,6 +70,9 @@ Press press_area(const std::string& label, const Rect& place, bool enabled = tru
 
 bool button(const std::string& label, const Rect& place, const Look& look = {});
 bool icon_button(const std::string& label, const Rect& place, const Look& look);
+// A sheet's title, and at its right the cross that Esc presses, too: whether it was pressed. id:
+// where several sheets may be open.
+bool sheet_head(Rect head, const std::string& title, const std::string& id = "");
 bool tool_button(const std::string& label, const Rect& place, const Look& look, bool with_label);
 bool checkbox(const std::string& label, const Rect& place, bool& on, bool show_label = true);
 // `text` is the value in words, drawn by the caller; true while it changes.

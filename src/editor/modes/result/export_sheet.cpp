@@ -250,13 +250,7 @@ void export_button(App& app, Rect foot) {
 void export_sheet(App& app, const Rect& place) {
   const bool low = place.h < 680, tiny = place.h < 480;
   Rect column = place;
-  Rect head = column.cut_top(48).inset(16, 0);
-  Look close;
-  close.icon = icon::kClose;
-  close.quiet = true;
-  close.key = "Esc";
-  if (icon_button("Close", head.cut_right(28).middle(28, 28), close)) app.ask("export");
-  write(head, Font::title, theme().text, "Export");
+  if (sheet_head(column.cut_top(48).inset(16, 0), "Export")) app.ask("export");
   format_cards(app, column, low);
   export_button(app, column.cut_bottom(tiny ? 58 : low ? 80 : 96).inset(12, 0));
   if (!app.session.built) return;

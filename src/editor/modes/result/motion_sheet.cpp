@@ -72,13 +72,7 @@ void switches(App& app, const DroppedMotion& dropped, Rect& column) {
 void motion_sheet(App& app, const Rect& place) {
   const Theme& t = theme();
   Rect column = place;
-  Rect head = column.cut_top(48).inset(16, 0);
-  Look close;
-  close.icon = icon::kClose;
-  close.quiet = true;
-  close.key = "Esc";
-  if (icon_button("Close", head.cut_right(28).middle(28, 28), close)) app.view.mapping = false;
-  write(head, Font::title, t.text, "Motion");
+  if (sheet_head(column.cut_top(48).inset(16, 0), "Motion")) app.view.mapping = false;
   const DroppedMotion* dropped = dropped_motion(app);
   if (!dropped) {
     app.view.mapping = false;
