@@ -65,6 +65,7 @@ void* taken_again(void* old, std::size_t size) {
 
 #include "base/ensure.h"
 #include "files/bytes.h"
+#include "model/working_scale.h"
 
 namespace artisketch {
 namespace {
@@ -481,6 +482,7 @@ std::vector<Image> load_drawings(const Document& document, const std::string& do
                                  std::vector<std::string>& warnings) {
   std::vector<Image> drawings;
   long long pixels = 0;
+  const double scale = std::min(1.0, working_scale(with_posed_contours(document)));
   for (std::size_t f = 0; f < document.frames.size(); ++f) {
     const Frame& frame = document.frames[f];
     drawings.emplace_back();
@@ -496,13 +498,14 @@ std::vector<Image> load_drawings(const Document& document, const std::string& do
     std::size_t same = 0;
     while (same < f && (document.frames[same].image != frame.image || drawings[same].rgba.empty()))
       ++same;
-    if (same < f && drawings[same].width == frame.width && drawings[same].height == frame.height) {
+    const Frame& other = document.frames[same];
+    if (same < f && other.width == frame.width && other.height == frame.height) {
       drawings.back() = drawings[same];
       continue;
     }
     Result<Image> image = load_frame_image(frame, document_path);
     if (!image) warnings.push_back(image.error().text() + "; the model goes without its colours");
-    if (image) drawings.back() = std::move(*image);
+    if (image) drawings.back() = scale < 1 ? scaled(*image, scale) : std::move(*image);
   }
   return drawings;
 }

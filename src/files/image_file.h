@@ -37,7 +37,8 @@ bool leaves_folder(const std::string& image);
 // What a person should know of a document's drawings: colour profiles that are not used.
 std::vector<std::string> drawing_words(const Document& document, const std::string& document_path);
 
-// The drawings of all frames: an empty one, and the reason in `warnings`, where one cannot be read
+// The drawings of all frames, as large as their parts are worked on where that is smaller than they
+// are (model/working_scale.h): an empty one, and the reason in `warnings`, where one cannot be read
 // or all before it have 250 million pixels. An image that several frames name is decoded once.
 std::vector<Image> load_drawings(const Document& document, const std::string& document_path,
                                  std::vector<std::string>& warnings);

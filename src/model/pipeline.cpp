@@ -72,15 +72,24 @@ void warn_of_one_side(const Document& document, const std::vector<Part>& parts,
         "are is a guess. A drawing from another side would tell");
 }
 
-// The drawings as large as parts are worked on, and empty where nobody has posed them. Kept in
-// `made` where they differ from those given.
-std::span<const Image> worked_on(const Document& document, std::span<const Image> drawings,
-                                 int scale, std::vector<Image>& made) {
-  bool posed = true;
-  for (int f = 0; f < int(document.frames.size()); ++f) posed = posed && is_posed(document, f);
-  if (posed && scale == 1) return drawings;
-  for (std::size_t f = 0; f < drawings.size(); ++f)
-    made.push_back(is_posed(document, int(f)) ? enlarged(drawings[f], scale) : Image());
+// The drawings as large as parts are worked on, where they may be already, and empty where nobody
+// has posed them. Kept in `made` where they differ from those given.
+std::span<const Image> worked_on(const Document& document, const Document& drawn,
+                                 std::span<const Image> drawings, double scale,
+                                 std::vector<Image>& made) {
+  const auto is_ready = [&](std::size_t f) {
+    return drawings[f].empty() || (drawings[f].width == drawn.frames[f].width &&
+                                   drawings[f].height == drawn.frames[f].height);
+  };
+  const std::size_t count = std::min(drawings.size(), document.frames.size());
+  bool ready = true;
+  for (std::size_t f = 0; f < count; ++f)
+    ready = ready && is_posed(document, int(f)) && is_ready(f);
+  if (ready) return drawings;
+  for (std::size_t f = 0; f < count; ++f)
+    made.push_back(!is_posed(document, int(f)) ? Image()
+                   : is_ready(f)               ? drawings[f]
+                                               : scaled(drawings[f], scale));
   return made;
 }
 
@@ -126,9 +135,9 @@ Result<Reconstruction> reconstruct_ordered(const Document& document, const Pipel
   std::vector<Part> parts = parts_of(posed);
   name_specks(posed, parts, out.warnings);
   warn_of_one_side(posed, parts, out.warnings);
-  const int scale = working_scale(posed);
-  const Document drawn = enlarged(posed, scale);
-  for (Part& part : parts) part = enlarged(std::move(part), scale);
+  const double scale = working_scale(posed);
+  const Document drawn = scaled(posed, scale);
+  for (Part& part : parts) part = scaled(std::move(part), scale);
   if (options.mirror) add_mirrored_views(drawn, parts);
   double cells = 0, part_vertices = 0;
   for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -175,7 +184,8 @@ Result<Reconstruction> reconstruct_ordered(const Document& document, const Pipel
                                      [](const Image& drawing) { return !drawing.empty(); })) {
     stages.start("texture", 0.95, 0.97);
     std::vector<Image> made;
-    Result<Model> model = textured(drawn, worked_on(posed, drawings, scale, made), out.model, run);
+    Result<Model> model =
+        textured(drawn, worked_on(posed, drawn, drawings, scale, made), out.model, run);
     if (!model) return model.error();
     out.model = std::move(*model);
     const double texels =

@@ -249,8 +249,8 @@ struct PipelineOptions {
   int triangles = 15000;     // of the model; 0: as few as half a pixel allows
   bool mirror = true;        // joints see their mirror images' contours, where these agree
   bool texture = true;       // colour the model with the drawings
-  // Decoded, to colour the model with: one per frame, empty where it has none; without any the
-  // model stays plain. Not copied: they must outlive the run.
+  // Decoded, to colour the model with: one per frame or empty, of its size or as it is worked on
+  // (working_scale.h); without any the model stays plain. Not copied: they must outlive the run.
   std::span<const Image> drawings;
 };
 
@@ -285,7 +285,7 @@ struct Reconstruction {
 Result<Reconstruction> reconstruct(const Document& document, const PipelineOptions& options,
                                    Run& run);
 
-// How well a posed model fits the drawings (rasterised at twice the sketch's resolution).
+// How well a posed model fits the drawings (rasterised twice as finely, to 2048 samples a side).
 std::vector<FrameFit> measure_fit(const Document& calibrated, const Model& model,
                                   std::span<const PartSurface> parts);
 

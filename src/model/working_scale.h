@@ -1,21 +1,26 @@
 // What the model's stages mean in pixels they mean of figures drawn some hundred pixels high: a
-// smaller one is worked on as if it had been drawn larger.
+// smaller one is worked on as if it had been drawn larger, and of one that has far more pixels than
+// the model's texture can keep, no more are read than that.
 #pragma once
 
 #include "model/stages.h"
 
 namespace artisketch {
 
-// How many times a document's drawings are enlarged for the work, a power of two: until the largest
-// figure, by its outlines, is kWorkingSize pixels wide or high. 1 where nothing is outlined.
-int working_scale(const Document& document);
+// How many times as large a document's drawings are worked on, a power of two from 1 / kMostShrunk
+// to kMostEnlarged: more than 1 until the largest figure, by its outlines, is kWorkingSize pixels
+// wide or high; less than 1 while the outlines still hold kEnoughPixels in all. 1 where nothing is
+// outlined.
+double working_scale(const Document& document);
 inline constexpr double kWorkingSize = 300;
-inline constexpr int kMostEnlarged = 16;
+inline constexpr double kEnoughPixels = 4e6;  // as many as the texture has texels
+inline constexpr int kMostEnlarged = 16, kMostShrunk = 16;
 
 // The document, a part's views or a picture, as if drawn `times` times as large: the same poses and
-// units, more pixels. Pictures by repeating pixels: their edges stay as sharp as they are.
-Document enlarged(Document document, int times);
-Part enlarged(Part part, int times);  // mirrors as they are
-Image enlarged(const Image& picture, int times);
+// units, more pixels or fewer. Pictures grow by repeating pixels, so that their edges stay as sharp
+// as they are, and shrink to the mean of the pixels that become one.
+Document scaled(Document document, double times);
+Part scaled(Part part, double times);              // mirrors as they are
+Image scaled(const Image& picture, double times);  // times or 1 / times whole
 
 }  // namespace artisketch

@@ -17,6 +17,8 @@
 #include "app/progress_line.h"
 #include "files/bytes.h"
 #include "files/document_file.h"
+#include "files/image_file.h"
+#include "model/working_scale.h"
 
 namespace artisketch {
 namespace {
@@ -370,11 +372,14 @@ class Limited : public CommandLine {
       _exit(127);
     }
     int status = 0;
-    waitpid(child, &status, 0);
+    rusage used{};
+    wait4(child, &status, 0, &used);
+    most_memory = 1024.0 * double(used.ru_maxrss);
     err = *read_file(said);
     fs::remove(said);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
+  double most_memory = 0;  // bytes that the last one took
 };
 
 TEST_F(Limited, AFileThatMayNotGrowIsAnError) {
@@ -387,6 +392,41 @@ TEST_F(Limited, AFileThatMayNotGrowIsAnError) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__)  // which takes terabytes of addresses
+// docs/FORMAT.md's formula, where parts, the grid or the drawings take the most.
+TEST_F(Limited, MemoryStaysWithinWhatTheFormatSays) {
+  constexpr int kLarger = 6;
+  Result<Document> hero = read_document(kHero);
+  ASSERT_TRUE(hero);
+  double pixels = 0, larger_pixels = 0;
+  Document larger = scaled(*hero, kLarger);
+  for (std::size_t f = 0; f < larger.frames.size(); ++f) {
+    Frame& frame = larger.frames[f];
+    const Result<Image> drawing = load_frame_image(hero->frames[f], kHero);
+    ASSERT_TRUE(drawing);
+    pixels += double(drawing->width) * drawing->height;
+    larger_pixels += double(frame.width) * frame.height;
+    ASSERT_TRUE(write_file(path(frame.image), png_bytes(scaled(*drawing, kLarger))));
+  }
+  ASSERT_TRUE(write_file(path("larger.artisketch"), document_text(larger)));
+  const int parts = int(drawn_joints(*hero).size());
+  const struct {
+    std::string in;
+    int parts, grid;
+    double pixels;
+  } cases[] = {{kHero, parts, 100, pixels},
+               {kCircles, 1, 300, 0},
+               {path("larger.artisketch"), parts, 48, larger_pixels}};
+  for (const auto& one : cases) {
+    ASSERT_EQ(run_with(RLIMIT_AS, 8ull << 30,
+                       {"reconstruct", one.in, "-o", path("h.glb"), "--grid",
+                        std::to_string(one.grid), "--quiet"}),
+              0)
+        << err;
+    EXPECT_LT(most_memory, 250e6 + one.parts * 6 * std::pow(one.grid + 5, 3) + 8 * one.pixels)
+        << one.in;
+  }
+}
+
 TEST_F(Limited, TooLittleMemoryIsAnErrorThatSaysWhatToDo) {
   EXPECT_EQ(run_with(RLIMIT_AS, 120 << 20,
                      {"reconstruct", kHero, "-o", path("h.glb"), "--grid", "400", "--no-texture",

@@ -1,7 +1,12 @@
 #include "model/working_scale.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "base/raster.h"
 #include "figures.h"
 
 namespace artisketch {
@@ -28,16 +33,16 @@ Image stripes(int width, int height) {
 
 TEST(WorkingScale, EnlargesSmallFiguresByAPowerOfTwo) {
   const Document document = small_drawings();
-  const int times = working_scale(document);
+  const double times = working_scale(document);
   EXPECT_EQ(times, 4);
-  EXPECT_EQ(working_scale(enlarged(document, 2)), 2);
-  EXPECT_EQ(working_scale(enlarged(document, 4)), 1);
-  EXPECT_EQ(working_scale(enlarged(document, 8)), 1);
+  EXPECT_EQ(working_scale(scaled(document, 2)), 2);
+  EXPECT_EQ(working_scale(scaled(document, 4)), 1);
+  EXPECT_EQ(working_scale(scaled(document, 8)), 1);
   EXPECT_EQ(working_scale({}), 1);
 }
 
 TEST(WorkingScale, AnEnlargedDocumentShowsTheSameInMorePixels) {
-  const Document document = small_drawings(), large = enlarged(document, 4);
+  const Document document = small_drawings(), large = scaled(document, 4);
   const FrameCamera before = frame_camera(document, 1), after = frame_camera(large, 1);
   const Vec3 X(0.3, 0.8, -0.2);
   EXPECT_LT((4 * before.project(X) - after.project(X)).norm(), 1e-9);
@@ -45,12 +50,53 @@ TEST(WorkingScale, AnEnlargedDocumentShowsTheSameInMorePixels) {
              large.frames[1].contours[2].line.points[3])
                 .norm(),
             1e-12);
-  const Image picture = stripes(3, 2), twice = enlarged(picture, 2);
+  const Image picture = stripes(3, 2), twice = scaled(picture, 2);
   ASSERT_EQ(twice.width, 6);
   ASSERT_EQ(twice.height, 4);
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 6; ++x)
       for (int c = 0; c < 4; ++c) EXPECT_EQ(twice.at(x, y)[c], picture.at(x / 2, y / 2)[c]);
+}
+
+TEST(WorkingScale, ShrinksWhatHoldsMorePixelsThanTheTexture) {
+  const Document document = small_drawings();
+  double pixels = 0;
+  for (const Frame& frame : document.frames)
+    for (const Contour& contour : frame.contours) {
+      Mask mask(frame.width, frame.height);
+      const std::vector<std::vector<Vec2>> polygon = {contour.line.points};
+      add_polygons(polygon, mask);
+      pixels += double(std::count(mask.in.begin(), mask.in.end(), 1));
+    }
+  // Halved, it still has as many.
+  const double enough = std::sqrt(4 * kEnoughPixels / pixels);
+  EXPECT_EQ(working_scale(scaled(document, 0.9 * enough)), 1);
+  EXPECT_EQ(working_scale(scaled(document, 1.1 * enough)), 0.5);
+  EXPECT_EQ(working_scale(scaled(document, 2.2 * enough)), 0.25);
+}
+
+TEST(WorkingScale, AShrunkPictureKeepsItsColoursAndItsPlaces) {
+  // What covers nothing has no say in the colour.
+  Image picture(5, 3, 0);
+  for (int y = 0; y < 2; ++y)
+    std::copy_n(std::array<std::uint8_t, 4>{200, 100, 0, 255}.data(), 4, picture.at(0, y));
+  for (int y = 0; y < 3; ++y)
+    std::copy_n(std::array<std::uint8_t, 4>{10, 20, 30, 255}.data(), 4, picture.at(4, y));
+  const Image half = scaled(picture, 0.5);
+  ASSERT_EQ(half.width, 3);
+  ASSERT_EQ(half.height, 2);
+  const auto at = [&](int x, int y) { return std::vector<int>(half.at(x, y), half.at(x, y) + 4); };
+  EXPECT_EQ(at(0, 0), (std::vector{200, 100, 0, 128}));
+  EXPECT_EQ(at(1, 0), (std::vector{0, 0, 0, 0}));
+  EXPECT_EQ(at(2, 1), (std::vector{10, 20, 30, 255}));
+  // The document's pixels lie where the picture's do, of odd sizes too.
+  Document document = small_drawings();
+  document.frames[1].width = 95;
+  const Vec3 X(0.3, 0.8, -0.2);
+  const Document small = scaled(document, 0.25);
+  EXPECT_EQ(small.frames[1].width, 24);
+  EXPECT_LT((frame_camera(document, 1).project(X) / 4 - frame_camera(small, 1).project(X)).norm(),
+            1e-9);
 }
 
 // What is small is not worse: the model is that of the same drawings enlarged, with its colours.
@@ -63,8 +109,8 @@ TEST(WorkingScale, DrawingsOfAnySizeGiveTheSameModel) {
   artisketch::Run run;
   std::optional<Model> first;
   for (const int times : {1, 2, 4}) {
-    const Document drawn = enlarged(document, times);
-    const std::vector<Image> drawings(2, enlarged(stripes(96, 96), times));
+    const Document drawn = scaled(document, times);
+    const std::vector<Image> drawings(2, scaled(stripes(96, 96), times));
     options.drawings = drawings;
     const Result<Reconstruction> made = reconstruct(drawn, options, run);
     ASSERT_TRUE(made);
