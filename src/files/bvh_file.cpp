@@ -21,12 +21,6 @@ struct Wrong {
   std::string what;
 };
 
-std::string lower(std::string_view word) {
-  std::string out(word);
-  for (char& c : out) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-  return out;
-}
-
 // The words of a text, and the lines that they stand in. Comments are no words.
 class Words {
  public:
@@ -49,13 +43,13 @@ class Words {
     return word;
   }
   void expect(const char* word) {
-    if (const std::string_view found = next(word); lower(found) != lower(word))
+    if (const std::string_view found = next(word); lower_case(found) != lower_case(word))
       throw Wrong{last_line_, "is " + in_quotes(found) + "; should be " + word};
   }
   // A word that ends in a colon, whatever stands before or after that: `Frames: 2`, `Frames :2`.
   void expect_with_colon(const std::string& word) {
     const std::string_view found = peek();
-    if (lower(found.substr(0, word.size())) != lower(word) ||
+    if (lower_case(found.substr(0, word.size())) != lower_case(word) ||
         (found.size() > word.size() && found[word.size()] != ':')) {
       next(word.c_str());
       throw Wrong{last_line_, "is " + in_quotes(found) + "; should be " + word + ":"};
@@ -166,7 +160,7 @@ class Reader {
     words_.expect("CHANNELS");
     const int count = words_.whole("a number of channels", 6);
     for (int i = 0; i < count; ++i) {
-      const std::string word = lower(words_.next("a channel"));
+      const std::string word = lower_case(words_.next("a channel"));
       const bool rotation = word.substr(1) == "rotation";
       const int axis = word[0] - 'x';
       if (!(rotation || word.substr(1) == "position") || axis < 0 || axis > 2)
@@ -191,9 +185,9 @@ class Reader {
     channels(self);
     while (words_.peek() != "}") {
       const std::string_view word = words_.next("JOINT, End Site or }");
-      if (lower(word) == "joint") {
+      if (lower_case(word) == "joint") {
         joint(self, depth + 1);
-      } else if (lower(word) == "end") {
+      } else if (lower_case(word) == "end") {
         words_.rest();  // Site, or what else it is called
         words_.expect("{");
         const int end = add("", self);
@@ -311,7 +305,7 @@ Result<Motion> parse_bvh(std::string_view text, const std::string& name, const s
 }
 
 bool is_bvh(std::string_view bytes) {
-  return lower(Words(bytes).peek()) == "hierarchy";
+  return lower_case(Words(bytes).peek()) == "hierarchy";
 }
 
 }  // namespace artisketch

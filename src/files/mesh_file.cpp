@@ -5,12 +5,15 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 
+#include "base/words.h"
 #include "files/gltf.h"
 
 namespace artisketch {
 namespace {
 
+constexpr const char* kEndings[] = {".glb", ".vrm", ".obj", ".stl", ".ply"};
 constexpr const char* kProgram = "ArtiSketch " ARTISKETCH_VERSION;
 
 template <class T>
@@ -115,13 +118,17 @@ std::string ply_bytes(const Mesh& mesh) {
 }
 
 std::string model_ending(const std::string& path) {
-  for (const std::string ending : {".glb", ".vrm", ".obj", ".stl", ".ply"}) {
-    if (path.size() <= ending.size()) continue;
-    const auto same = [](char a, char b) { return a == b || a == b - 'a' + 'A'; };
-    if (std::equal(path.end() - std::ptrdiff_t(ending.size()), path.end(), ending.begin(), same))
-      return ending;
-  }
+  for (const char* ending : kEndings)
+    if (path.size() > std::strlen(ending) && lower_case(path).ends_with(ending)) return ending;
   return "";
+}
+
+std::string model_endings() {
+  std::string words = kEndings[0];
+  const std::size_t count = std::size(kEndings);
+  for (std::size_t i = 1; i < count; ++i)
+    words += (i + 1 < count ? ", " : " or ") + std::string(kEndings[i]);
+  return words;
 }
 
 Result<std::string> model_bytes_for(const std::string& ending, const Model& model) {

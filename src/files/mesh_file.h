@@ -24,6 +24,7 @@ std::string ply_bytes(const Mesh& mesh);
 // What the ending of `path` asks for (.glb, .vrm, .obj, .stl, .ply, in any case); empty where none
 // does.
 std::string model_ending(const std::string& path);
+std::string model_endings();  // all of them, in words: ".glb, … or .ply"
 
 // The model in the format of that ending, .vrm apart (vrm.h). Fails as glb_bytes does.
 Result<std::string> model_bytes_for(const std::string& ending, const Model& model);

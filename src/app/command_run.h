@@ -1,0 +1,22 @@
+// A run of the command line: shows its progress on the terminal, and Ctrl-C asks it to stop.
+#pragma once
+
+#include "app/progress_line.h"
+#include "model/run.h"
+
+namespace artisketch {
+
+class CommandRun {
+ public:
+  explicit CommandRun(bool shows_progress);
+  ~CommandRun();
+  CommandRun(const CommandRun&) = delete;
+  void finish() { line_.wipe(); }
+  static bool asked_to_stop();
+  Run run;
+
+ private:
+  ProgressLine line_;
+};
+
+}  // namespace artisketch
