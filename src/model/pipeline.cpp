@@ -112,6 +112,23 @@ PipelineOptions with_settings(PipelineOptions options, const DocumentSettings& s
 
 namespace {
 
+// The model's colours, where there are drawings.
+//   posed, drawn  the document as it was drawn, and as large as it is worked on, `scale` times
+Result<Done> paint(const Document& posed, const Document& drawn, double scale,
+                   std::span<const Image> drawings, Model& model, StageClock& stages, Run& run) {
+  if (std::all_of(drawings.begin(), drawings.end(), [](const Image& d) { return d.empty(); }))
+    return Done();
+  stages.start("texture", 0.95, 0.97);
+  std::vector<Image> made;
+  Result<Model> painted =
+      textured(drawn, worked_on(posed, drawn, drawings, scale, made), model, run);
+  if (!painted) return painted.error();
+  model = std::move(*painted);
+  const double texels = model.texture ? double(model.texture->width) * model.texture->height : 0;
+  stages.finish({{"texels", texels}, {"vertices", double(model.mesh.V.rows())}});
+  return Done();
+}
+
 // Of a document whose joints are in one order.
 Result<Reconstruction> reconstruct_ordered(const Document& document, const PipelineOptions& options,
                                            Run& run) {
@@ -179,19 +196,11 @@ Result<Reconstruction> reconstruct_ordered(const Document& document, const Pipel
   out.model = {
       document.name,           document.skeleton, std::move(*mesh), std::move(*weights), {}, {},
       clips_of(out.calibrated)};
-  const auto& drawings = options.drawings;
-  if (options.texture && std::any_of(drawings.begin(), drawings.end(),
-                                     [](const Image& drawing) { return !drawing.empty(); })) {
-    stages.start("texture", 0.95, 0.97);
-    std::vector<Image> made;
-    Result<Model> model =
-        textured(drawn, worked_on(posed, drawn, drawings, scale, made), out.model, run);
-    if (!model) return model.error();
-    out.model = std::move(*model);
-    const double texels =
-        out.model.texture ? double(out.model.texture->width) * out.model.texture->height : 0;
-    stages.finish({{"texels", texels}, {"vertices", double(out.model.mesh.V.rows())}});
-  }
+  if (options.texture)
+    if (const Result<Done> painted =
+            paint(posed, drawn, scale, options.drawings, out.model, stages, run);
+        !painted)
+      return painted.error();
 
   stages.start("fit", 0.97, 1);
   out.fits = measure_fit(posed, out.model, out.parts);
