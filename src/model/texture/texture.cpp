@@ -7,6 +7,7 @@
 #include "model/texture/atlas.h"
 #include "model/texture/details.h"
 #include "model/texture/on_paper.h"
+#include "model/texture/unlikeness.h"
 #include "model/texture/unseen.h"
 
 namespace artisketch {
@@ -57,12 +58,13 @@ class Fades {
 class Painter {
  public:
   Painter(const Mesh& mesh, const DrawnSurface& surface, const Fades& fades,
-          const std::vector<Rgb>& plain)
+          const PlainPaint& plain)
       : mesh_(mesh), surface_(surface), fades_(fades), plain_(plain) {}
 
   void begin(int face) {
     face_ = face;
     views_.clear();
+    begin_plain();
     for (int v = 0; v < fades_.views(); ++v) {
       View view{v, {}};
       for (int k = 0; k < 3; ++k) view.shares[k] = fades_.share(v, mesh_.F(face, k));
@@ -83,13 +85,55 @@ class Painter {
       }
     }
     if (all >= 1 - 1e-3f) return sum / all;
-    Rgb plain = Rgb::Zero();
-    for (int k = 0; k < 3; ++k) plain += float(weights[k]) * plain_[mesh_.F(face_, k)];
-    return sum + (1 - all) * plain;
+    return sum + (1 - all) * plain(weights);
   }
 
  private:
   static constexpr float kLeastShare = 1e-4f;
+  static constexpr float kOneKind = 0.12f;  // unlikeness of shades of one colour
+  static constexpr double kSoft = 0.3;      // of a share: a border this soft shows no steps
+  int kind_of(const Rgb& colour) const {
+    for (const Plain& one : plains_)
+      if (unlikeness(*one.colour, colour) < kOneKind) return one.kind;
+    return int(plains_.size());
+  }
+  // The colours that the corners' parts may have where no view paints.
+  void begin_plain() {
+    plains_.clear();
+    for (int k = 0; k < 3; ++k) {
+      const int v = mesh_.F(face_, k), part = plain_.part[v];
+      if (part < 0) continue;
+      for (int l = 0; l < int(plain_.palettes[part].size()); ++l) {
+        const Rgb* colour = &plain_.palettes[part][l];
+        auto same = std::find_if(plains_.begin(), plains_.end(),
+                                 [&](const Plain& one) { return one.colour == colour; });
+        if (same == plains_.end())
+          same = plains_.insert(
+              same, {colour, kind_of(*colour), Vec3::Zero(), {*colour, *colour, *colour}});
+        same->shares[k] = plain_.share[v][l];
+        if (plain_.own[v] == l) same->tones[k] = plain_.colour[v];
+      }
+    }
+  }
+  // The colour that has the most; shades of one colour count together and run into each other.
+  Rgb plain(const Vec3& weights) const {
+    std::array<double, 3 * PlainPaint::kMostColours> kinds = {};
+    double most = -1;
+    for (const Plain& one : plains_) {
+      kinds[one.kind] += one.shares.dot(weights);
+      most = std::max(most, kinds[one.kind]);
+    }
+    Rgb sum = Rgb::Zero();
+    double all = 0;
+    for (const Plain& one : plains_) {
+      const double kind = kinds[one.kind], sure = kind - most + kSoft;
+      if (!(kind > 0 && sure > 0)) continue;
+      const Vec3 w = sure / kind * one.shares.cwiseProduct(weights);
+      for (int k = 0; k < 3; ++k) sum += float(w[k]) * one.tones[k];
+      all += w.sum();
+    }
+    return all > 0 ? Rgb(sum / float(all)) : plain_.usual;
+  }
   // Pixel art: the colour of the view that has most of the paint, else the nearest in the palette.
   Rgb unmixed(const Vec3& weights) const {
     std::optional<Rgb> best;
@@ -105,12 +149,10 @@ class Painter {
       }
     }
     if (best && all >= 0.5f) return *best;
-    int corner = 0;
-    weights.maxCoeff(&corner);
-    const Rgb& plain = plain_[mesh_.F(face_, corner)];
+    const Rgb like = plain(weights);
     return *std::min_element(surface_.palette.begin(), surface_.palette.end(),
                              [&](const Rgb& a, const Rgb& b) {
-                               return (a - plain).squaredNorm() < (b - plain).squaredNorm();
+                               return (a - like).squaredNorm() < (b - like).squaredNorm();
                              });
   }
   struct View {
@@ -120,9 +162,16 @@ class Painter {
   const Mesh& mesh_;
   const DrawnSurface& surface_;
   const Fades& fades_;
-  const std::vector<Rgb>& plain_;
+  struct Plain {
+    const Rgb* colour;
+    int kind;                  // the first that it may be a shade of
+    Vec3 shares;               // at the triangle's corners,
+    std::array<Rgb, 3> tones;  // and the tone there
+  };
+  const PlainPaint& plain_;
   int face_ = 0;
   std::vector<View> views_;
+  std::vector<Plain> plains_;
 };
 
 // The atlas' vertices along the borders of charts.
@@ -193,7 +242,7 @@ Result<Model> textured(const Document& calibrated, std::span<const Image> drawin
   run.report(0.7);
   const Adjacency beside = vertex_adjacency(model.mesh);
   const Fades fades(model.mesh, beside, chosen, *surface);
-  const std::vector<Rgb> plain = plain_colours(model, beside, chosen, *surface);
+  const PlainPaint plain = plain_paint(model, beside, chosen, *surface);
   const Atlas atlas =
       make_atlas(model.mesh, neighbours, chosen, *surface, kPlainScale / pixel_size(calibrated));
   if (run.cancelled()) return cancelled();

@@ -8,17 +8,15 @@
 namespace artisketch {
 namespace {
 
-constexpr double kAlong = 8;  // a step along the bone counts as so many round it
-// Between these qualities what is seen holds out against what lies beside: below, it is at a slant,
-// or taken from farther inside an outline, and may be a smear.
+constexpr double kAlong = 8;              // a step along the bone counts as so many round it
+constexpr double kNear = 0.05;            // of the figure's size: within it, all votes count alike
+constexpr std::size_t kMostVoters = 400;  // of a part
+// Between these qualities what is seen is believed more and more: below, it is at a slant, or taken
+// from farther inside an outline, and may be a smear.
 constexpr float kSeenBadly = 0.15f, kSeenWell = 0.5f;
-constexpr double kDetour = 0.05;  // of the figure's size: the way worth going for what is better
-constexpr float kMatch = 0.2f;    // how unlike its palette a colour may be that spreads
+constexpr float kMatch = 0.2f;  // how unlike its palette a colour may be that spreads
 constexpr float kLittle = 1e-3f;
-constexpr float kHold = 20;          // of what is seen so well, against what lies beside
-constexpr int kMost = 6;             // colours of a part
-constexpr int kVotes = 10;           // rounds: more would have belts end on their way round
-constexpr int kSofteningRounds = 2;  // of the borders between colours
+constexpr int kMost = PlainPaint::kMostColours;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 // What the paint shows at the vertices.
@@ -122,7 +120,7 @@ std::vector<Vec3> bone_directions(const Skeleton& skeleton) {
   return directions;
 }
 
-// Spreads the colours of each part's palette over what isn't seen of it.
+// Gives what isn't seen of a part a share of each colour of its palette.
 class Spread {
  public:
   Spread(const Model& model, const Adjacency& beside, const Seen& seen)
@@ -132,109 +130,123 @@ class Spread {
         bones_(bone_directions(model.skeleton)),
         palettes_(model.skeleton.joints.size()),
         label_(seen.quality.size(), -1),
-        holder_(label_.size()) {
+        holder_(label_.size()),
+        share_(label_.size()),
+        own_(label_.size(), 0) {
     std::vector<std::vector<std::pair<Rgb, double>>> samples(palettes_.size());
     for (int v = 0; v < int(label_.size()); ++v)
       if (seen.quality[v] > 0)
         samples[part(v)].emplace_back(seen.colour[v],
                                       std::max(seen.quality[v] - kPulledQuality, kLittle));
-    for (std::size_t j = 0; j < palettes_.size(); ++j) palettes_[j] = palette_of(samples[j]);
-    reach_all();
+    for (std::size_t j = 0; j < palettes_.size(); ++j) {
+      palettes_[j] = palette_of(samples[j]);
+      if (j > 0) samples[0].insert(samples[0].end(), samples[j].begin(), samples[j].end());
+    }
+    if (const Palette all = palette_of(samples[0]); !all.colours.empty()) usual_ = all.colours[0];
+    begin();
     vote();
+    reach_others();
   }
-  // Nothing where nothing is seen from.
-  std::optional<Rgb> colour(int v) const {
-    if (label_[v] < 0) return std::nullopt;
-    return palettes_[holder_[v]].colours[label_[v]];
+  PlainPaint paint() && {
+    PlainPaint out;
+    out.palettes.reserve(palettes_.size());
+    for (Palette& palette : palettes_) out.palettes.push_back(std::move(palette.colours));
+    out.part = std::move(holder_);
+    out.share = std::move(share_);
+    out.own.assign(label_.size(), -1);
+    out.colour = seen_.colour;
+    out.usual = usual_;
+    for (std::size_t v = 0; v < label_.size(); ++v) {
+      if (label_[v] < 0) out.part[v] = -1;
+      if (own_[v]) out.own[v] = label_[v];
+    }
+    return out;
   }
-  bool passes(int from, int to) const { return holder_[from] == holder_[to]; }
 
  private:
-  int part(int vertex) const { return model_.weights.joints(vertex, 0); }
-  bool shown(int joint) const { return !palettes_[joint].colours.empty(); }
-  double step(int from, int to) const {
-    const Vec3 d = (model_.mesh.V.row(to) - model_.mesh.V.row(from)).transpose();
-    const double along = d.dot(bones_[part(to)]);
-    return std::sqrt(d.squaredNorm() + (kAlong * kAlong - 1) * along * along);
+  // Whether what is seen has a colour of its part: ink has not.
+  bool alike(int v) const {
+    return (palettes_[part(v)].colours[label_[v]] - seen_.colour[v]).norm() <= kMatch;
   }
-  // Where to begin: each vertex takes the colour of the nearest one seen, of its own part first, of
-  // any where its part is in pieces or seen nowhere (Dijkstra 1959).
-  void reach_all() {
-    std::vector<double> way(label_.size(), kFar);
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open;
-    const double size = bounds(model_.mesh.V).sizes().norm();
+  int part(int vertex) const { return model_.weights.joints(vertex, 0); }
+  // What is seen has the colour of its part's palette that is nearest, if one is near.
+  void begin() {
     for (int v = 0; v < int(label_.size()); ++v) {
+      holder_[v] = part(v);
+      share_[v].fill(0);
       if (seen_.quality[v] <= 0) continue;
       const Palette& palette = palettes_[part(v)];
       const int label = palette.nearest(seen_.colour[v]);
-      if ((palette.colours[label] - seen_.colour[v]).norm() > kMatch) continue;  // ink, say
       label_[v] = label;
-      holder_[v] = part(v);
-      way[v] = seen_.quality[v] < kSeenBadly ? kDetour * size : 0;
-    }
-    for (const bool across : {false, true}) {
-      const std::vector<int> before = label_;
-      for (int v = 0; v < int(label_.size()); ++v)
-        if (before[v] >= 0) open.emplace(way[v], v);
-      while (!open.empty()) {
-        const double here = open.top().first;
-        const int v = open.top().second;
-        open.pop();
-        if (here > way[v]) continue;
-        // Neighbours' neighbours too: along edges alone, ways round a bone would zigzag.
-        const auto reach = [&](int from, int to) {
-          if ((before[to] >= 0 && across) ||
-              !(across || part(to) == part(from) || !shown(part(to))))
-            return false;
-          const double there = here + step(v, to);
-          if (there >= way[to]) return true;
-          way[to] = there;
-          label_[to] = label_[v];
-          holder_[to] = holder_[v];
-          open.emplace(there, to);
-          return true;
-        };
-        for (const int u : beside_.of(v))
-          if (reach(v, u))
-            for (const int w : beside_.of(u)) reach(u, w);
-      }
+      own_[v] = seen_.quality[v] >= (alike(v) ? kSeenBadly : kSeenWell);
+      if (!alike(v) && !own_[v]) label_[v] = -1;
+      share_[v][label] = 1;
     }
   }
-  // Harmonic shares of each colour, held by what is seen as firmly as it is seen well; the largest
-  // wins. A smear dies out on the way where a belt goes on.
+  // What is seen of the same part votes for its colour, the nearer and the better seen the more.
+  // Nearness counts heights along the bone above all: belts, cuffs and stockings run round it,
+  // and end along a line.
   void vote() {
-    const int n = int(label_.size());
-    std::vector<std::array<float, kMost>> share(n);
-    std::vector<int> free;
-    for (int v = 0; v < n; ++v) {
-      share[v].fill(0);
-      if (label_[v] < 0) continue;
-      share[v][label_[v]] = 1;
-      if (seen_.quality[v] < kSeenWell) free.push_back(v);
+    const double size = bounds(model_.mesh.V).sizes().norm(), floor = kNear * size;
+    struct Voter {
+      Vec3 place;
+      float weight;
+      int label;
+    };
+    std::vector<std::vector<Voter>> voters(palettes_.size());
+    // In a space where the bone's direction is longer.
+    const auto stretched = [&](int v) {
+      const Vec3 p = model_.mesh.V.row(v).transpose(), &bone = bones_[part(v)];
+      return Vec3(p + (kAlong - 1) * p.dot(bone) * bone);
+    };
+    for (int v = 0; v < int(label_.size()); ++v)
+      if (label_[v] >= 0 && alike(v))
+        voters[part(v)].push_back(
+            {stretched(v), std::max(std::min(seen_.quality[v], kSeenWell) - kSeenBadly, kLittle),
+             label_[v]});
+    for (std::vector<Voter>& of_part : voters) {
+      const std::size_t stride = 1 + of_part.size() / kMostVoters;
+      for (std::size_t i = 0; i * stride < of_part.size(); ++i) of_part[i] = of_part[i * stride];
+      of_part.resize((of_part.size() + stride - 1) / stride);
     }
-    for (int round = 0; round < kVotes; ++round) {
-      for (const int v : free) {
-        std::array<float, kMost> sum;
-        sum.fill(0);
-        float all = 0;
-        for (const int u : beside_.of(v)) {
-          if (label_[u] < 0 || !passes(u, v)) continue;
-          const double length = step(u, v);
-          const float w = float(1 / std::max(length * length, 1e-12));
-          all += w;
-          for (int l = 0; l < kMost; ++l) sum[l] += w * share[u][l];
-        }
-        if (all <= 0) continue;
-        const float sure = (seen_.quality[v] - kSeenBadly) / (kSeenWell - kSeenBadly),
-                    hold = kHold * std::max(sure, 0.0f) * all;
-        if (hold > 0) sum[label_[v]] += hold;
-        for (int l = 0; l < kMost; ++l) share[v][l] = sum[l] / (all + hold);
+    for (int v = 0; v < int(label_.size()); ++v) {
+      if (own_[v] || voters[part(v)].empty()) continue;
+      std::array<float, kMost> sum;
+      sum.fill(0);
+      const Vec3 here = stretched(v);
+      for (const Voter& voter : voters[part(v)]) {
+        const double near = floor * floor / ((voter.place - here).squaredNorm() + floor * floor);
+        sum[voter.label] += voter.weight * float(near * near * near);
       }
-      std::reverse(free.begin(), free.end());
+      float all = 0;
+      for (const float one : sum) all += one;
+      if (!(all > 0)) continue;
+      for (int l = 0; l < kMost; ++l) share_[v][l] = sum[l] / all;
+      label_[v] = int(std::max_element(sum.begin(), sum.end()) - sum.begin());
     }
-    for (const int v : free)
-      label_[v] = int(std::max_element(share[v].begin(), share[v].end()) - share[v].begin());
+  }
+  // Parts that are seen nowhere take what lies beside them (Dijkstra 1959).
+  void reach_others() {
+    std::vector<double> way(label_.size(), kFar);
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open;
+    const std::vector<int> before = label_;
+    for (int v = 0; v < int(label_.size()); ++v)
+      if (before[v] >= 0) open.emplace(way[v] = 0, v);
+    while (!open.empty()) {
+      const auto [here, v] = open.top();
+      open.pop();
+      if (here > way[v]) continue;
+      for (const int u : beside_.of(v)) {
+        const double there = here + (model_.mesh.V.row(u) - model_.mesh.V.row(v)).norm();
+        if (before[u] >= 0 || there >= way[u]) continue;
+        way[u] = there;
+        label_[u] = label_[v];
+        holder_[u] = holder_[v];
+        share_[u] = share_[v];
+        open.emplace(there, u);
+      }
+    }
   }
 
   const Model& model_;
@@ -242,37 +254,18 @@ class Spread {
   const Seen& seen_;
   std::vector<Vec3> bones_;
   std::vector<Palette> palettes_;  // by joint; empty where its part is seen nowhere
-  std::vector<int> label_;         // of each vertex, in the palette of its holder; −1: none
+  std::vector<int> label_;         // of each vertex, in the palette of its holder; -1: none
   std::vector<int> holder_;        // the joint whose colours it takes
+  std::vector<std::array<float, kMost>> share_;
+  Rgb usual_ = Rgb::Constant(0.5f);
+  std::vector<std::uint8_t> own_;  // whether it keeps what is seen of it
 };
 
 }  // namespace
 
-std::vector<Rgb> plain_colours(const Model& model, const Adjacency& beside,
-                               const std::vector<int>& chosen, const DrawnSurface& surface) {
-  const Seen seen = seen_colours(model.mesh, chosen, surface);
-  const Spread spread(model, beside, seen);
-  std::vector<Rgb> colour = seen.colour;
-  std::vector<int> unseen;
-  for (int v = 0; v < int(colour.size()); ++v) {
-    if (seen.quality[v] >= kSeenWell) continue;
-    if (const auto c = spread.colour(v)) colour[v] = *c;
-    if (seen.quality[v] <= 0) unseen.push_back(v);
-  }
-  for (int round = 0; round < kSofteningRounds; ++round) {
-    const std::vector<Rgb> before = colour;
-    for (const int v : unseen) {
-      Rgb sum = 2 * before[v];
-      float all = 2;
-      for (const int u : beside.of(v)) {
-        if (!spread.passes(u, v)) continue;
-        sum += before[u];
-        all += 1;
-      }
-      colour[v] = sum / all;
-    }
-  }
-  return colour;
+PlainPaint plain_paint(const Model& model, const Adjacency& beside, const std::vector<int>& chosen,
+                       const DrawnSurface& surface) {
+  return Spread(model, beside, seen_colours(model.mesh, chosen, surface)).paint();
 }
 
 }  // namespace artisketch

@@ -340,6 +340,11 @@ TEST(Texture, WhatIsHiddenIsPaintedLikeItsMirrorImage) {
     for (int v = 0; v < model.mesh.V.rows(); ++v)
       if (model.mesh.V(v, 0) < -2.48) spots += is(texel(model, v), kBlue, 6);
     EXPECT_EQ(spots > 0, mirrors);
+    // Of what hangs together with nothing that is seen nothing is known: it is no darker than that.
+    for (int v = 0; v < model.mesh.V.rows(); ++v)
+      if (!mirrors && model.mesh.V(v, 0) < 0) {
+        ASSERT_TRUE(is(texel(model, v), kRed, 6)) << model.mesh.V.row(v);
+      }
   }
 }
 
@@ -413,6 +418,48 @@ TEST(Texture, WhatNoDrawingShowsHasThePartsColoursUnmixed) {
   EXPECT_GT(round, 50);
   EXPECT_GT(belt, 0.8 * round);
   EXPECT_LT(mixed, back / 5);  // the soft step between the two
+}
+
+// In the texture, under a place in a triangle.
+Colour texel_within(const Model& model, int face, const Vec3& weights) {
+  Vec2 at = Vec2::Zero();
+  for (int k = 0; k < 3; ++k) at += weights[k] * model.texcoords[model.mesh.F(face, k)];
+  const Image& t = *model.texture;
+  const std::uint8_t* c = t.at(int(at.x() * t.width), int(at.y() * t.height));
+  return {c[0], c[1], c[2]};
+}
+
+// Hardly to be seen, and no pixel art any more, whose colours are never mixed.
+void soften(Image& drawing) {
+  drawing.at(0, 0)[3] = 20;
+}
+
+// Behind, a belt ends along a line, as it does in front: not from triangle to triangle, and not in
+// a haze.
+TEST(Texture, EdgesGoOnStraightWhereNoDrawingShowsThem) {
+  constexpr double kHalf = 10;  // pixels
+  const Model plain = ball();
+  Image drawing = disc(kRed);
+  for (int y = kSize / 2 - int(kHalf); y < kSize / 2 + int(kHalf); ++y)
+    for (int x = 0; x < kSize; ++x) {
+      std::uint8_t* p = drawing.at(x, y);
+      if (p[0] == kRed.r) p[0] = kBlue.r, p[1] = kBlue.g, p[2] = kBlue.b;
+    }
+  soften(drawing);
+  const Model model = painted(document_of(plain.skeleton, {0}), {drawing}, plain);
+  int near = 0, hazy = 0;
+  for (int f = 0; f < model.mesh.F.rows(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 weights = Vec3::Constant(0.2) + 0.4 * Vec3::Unit(k);
+      Vec3 place = Vec3::Zero();
+      for (int i = 0; i < 3; ++i) place += weights[i] * model.mesh.V.row(model.mesh.F(f, i));
+      if (place.z() > -0.5 || std::abs(place.y()) > 2 * kHalf / kScale) continue;
+      const Colour c = texel_within(model, f, weights);
+      ++near;
+      hazy += !is(c, kRed, 12) && !is(c, kBlue, 12);
+    }
+  EXPECT_GT(near, 100);
+  EXPECT_LT(hazy, 0.15 * near);
 }
 
 // Half of each ball lies in a shade that both have in common: it belongs to the light. Where one
