@@ -254,7 +254,7 @@ Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const I
     mirrored.push_back(std::move(view));
     run.report(0.5 * (f + 1) / double(drawings.size()));
   }
-  if (out.palette.empty()) take_lit_tones(model.skeleton, out.sketches);
+  if (out.palette.empty()) take_lit_tones(model, out.views, out.sketches);
   out.views.insert(out.views.end(), mirrored.begin(), mirrored.end());
   return out;
 }

@@ -15,6 +15,12 @@ using Pixel = std::array<unsigned char, 4>;  // sRGB and alpha, as pictures have
 inline Rgb rgb_of(const Pixel& pixel) {
   return Rgb(pixel[0], pixel[1], pixel[2]) / 255;
 }
+inline Pixel pixel_of(const Rgb& colour) {
+  const auto channel = [&](int k) {
+    return static_cast<unsigned char>(std::clamp(255 * colour[k] + 0.5f, 0.0f, 255.0f));
+  };
+  return {channel(0), channel(1), channel(2), 255};
+}
 
 // The joints that hold a triangle: the one that moves it most first, then those with a share worth
 // the name; −1 where there are fewer.

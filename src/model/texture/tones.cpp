@@ -169,6 +169,47 @@ std::vector<int> borders(const std::vector<Pair>& pairs, const std::vector<PartT
   return border;
 }
 
+// The pairs of which one drawing shows the shade where another shows the lit tone: light depends on
+// where it is seen from, colour doesn't.
+std::vector<Pair> told_by_views(const std::vector<Pair>& pairs, const std::vector<PartTones>& parts,
+                                const std::vector<int>& twin, const Model& model,
+                                std::span<const SurfaceView> views,
+                                const std::vector<Sketch>& sketches) {
+  constexpr float kSquarely = 0.3f;  // quality of what has a say
+  constexpr int kLeastFaces = 20;    // on which drawings differ
+  constexpr double kOften = 0.5;     // of the faces that any of two drawings shows in shade
+  const Triangles& F = model.mesh.F;
+  std::vector<int> tone(std::size_t(F.rows()) * views.size(), -1), part(F.rows());
+  ToneOf tone_of(parts);
+  for (int f = 0; f < F.rows(); ++f) {
+    part[f] = twin[model.weights.joints(F(f, 0), 0)];
+    for (std::size_t v = 0; v < views.size(); ++v) {
+      if (views[v].quality[f] < kSquarely) continue;
+      const auto c = views[v].colour(sketches, F, f, Vec3::Constant(1 / 3.0));
+      if (!c) continue;
+      const Pixel pixel = pixel_of(*c);
+      tone[std::size_t(f) * views.size() + v] = tone_of(part[f], pixel);
+    }
+  }
+  std::vector<Pair> told;
+  for (const Pair& pair : pairs) {
+    int differ = 0, same = 0;
+    for (int f = 0; f < F.rows(); ++f) {
+      if (part[f] != pair.part) continue;
+      int lit = 0, shade = 0;
+      for (std::size_t v = 0; v < views.size(); ++v) {
+        const int here = tone[std::size_t(f) * views.size() + v];
+        lit += here == pair.lit;
+        shade += here == pair.shade;
+      }
+      differ += lit > 0 && shade > 0;
+      same += shade > 1;
+    }
+    if (differ >= kLeastFaces && differ > kOften * (differ + same)) told.push_back(pair);
+  }
+  return told;
+}
+
 // The pairs of the one kind of shade that most of the drawings' pixels have, if several colours
 // have it: what is a darker colour by its own right has a factor of its own.
 std::vector<Pair> common(const std::vector<Pair>& pairs, const std::vector<PartTones>& parts) {
@@ -236,7 +277,9 @@ void lighten(const PartTones& part, Pixel& pixel) {
 
 }  // namespace
 
-void take_lit_tones(const Skeleton& skeleton, std::vector<Sketch>& sketches) {
+void take_lit_tones(const Model& model, std::span<const SurfaceView> views,
+                    std::vector<Sketch>& sketches) {
+  const Skeleton& skeleton = model.skeleton;
   std::vector<int> twin;
   for (int j = 0; j < skeleton.size(); ++j)
     twin.push_back(skeleton.joints[j].mirror >= 0 ? std::min(j, skeleton.joints[j].mirror) : j);
@@ -256,7 +299,13 @@ void take_lit_tones(const Skeleton& skeleton, std::vector<Sketch>& sketches) {
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (border[i] >= kBorder) beside.push_back(pairs[i]);
   pairs = common(beside, parts);
-  if (pairs.empty() || double(pairs.size()) < kOneKind * double(beside.size())) return;
+  if (double(pairs.size()) < kOneKind * double(beside.size())) pairs.clear();
+  for (const Pair& pair : told_by_views(beside, parts, twin, model, views, sketches))
+    if (std::none_of(pairs.begin(), pairs.end(), [&](const Pair& one) {
+          return one.part == pair.part && one.lit == pair.lit && one.shade == pair.shade;
+        }))
+      pairs.push_back(pair);
+  if (pairs.empty()) return;
   // A shade's shade leads on to the brightest: no cycles, since each is brighter than the last.
   for (const Pair& pair : pairs) {
     int& lit = parts[pair.part].lit[pair.shade];

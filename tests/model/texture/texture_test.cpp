@@ -491,6 +491,32 @@ TEST(Texture, ShadeInFlatColoursIsNoColour) {
   }
 }
 
+// One colour and a darker tone, in two drawings from sides 90° apart: shade where both have it on
+// their right, a colour where both have it below.
+TEST(Texture, WhatIsDarkInOneDrawingAndLightInAnotherIsShade) {
+  for (const bool below : {false, true}) {
+    const Model plain = ball();
+    Image drawing(kSize, kSize, 0);
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) {
+        const Vec2 p = (Vec2(x + 0.5, y + 0.5) - Vec2::Constant(kSize / 2.0)) / kScale;
+        if (p.norm() > 1) continue;
+        const double shade = (below ? p.y() : p.x()) > 0.4 ? 0.75 : 1;
+        std::uint8_t* to = drawing.at(x, y);
+        to[0] = std::uint8_t(shade * kRed.r), to[1] = std::uint8_t(shade * kRed.g);
+        to[2] = std::uint8_t(shade * kRed.b), to[3] = 255;
+      }
+    soften(drawing);
+    const Model model = painted(document_of(plain.skeleton, {0, -90}), {drawing, drawing}, plain);
+    int dark = 0;
+    for (int v = 0; v < model.mesh.V.rows(); ++v) dark += texel(model, v).r < 0.87 * kRed.r;
+    if (below)
+      EXPECT_GT(dark, 100);
+    else
+      EXPECT_EQ(dark, 0);
+  }
+}
+
 // Stairs of few colours: every texel has one of them.
 TEST(Texture, PixelArtKeepsItsColours) {
   constexpr int kSquare = 6;  // pixels
