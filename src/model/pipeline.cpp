@@ -93,6 +93,18 @@ std::span<const Image> worked_on(const Document& document, const Document& drawn
   return made;
 }
 
+// Of a texture's texels, the share that the surface shows: the rest lies between its charts.
+double share_of_texels_shown(const Model& model) {
+  double area = 0;
+  const Triangles& F = model.mesh.F;
+  for (Eigen::Index f = 0; f < F.rows() && model.texture; ++f) {
+    const Vec2 &a = model.texcoords[F(f, 0)], &b = model.texcoords[F(f, 1)],
+               &c = model.texcoords[F(f, 2)];
+    area += std::abs(cross(b - a, c - a)) / 2;
+  }
+  return area;
+}
+
 }  // namespace
 
 Method method_named(const std::string& name, Method otherwise) {
@@ -125,7 +137,9 @@ Result<Done> paint(const Document& posed, const Document& drawn, double scale,
   if (!painted) return painted.error();
   model = std::move(*painted);
   const double texels = model.texture ? double(model.texture->width) * model.texture->height : 0;
-  stages.finish({{"texels", texels}, {"vertices", double(model.mesh.V.rows())}});
+  stages.finish({{"texels", texels},
+                 {"share of texels shown", share_of_texels_shown(model)},
+                 {"vertices", double(model.mesh.V.rows())}});
   return Done();
 }
 

@@ -2,24 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
-
-namespace {
-
-// In place of qsort, which orders what is alike differently from one system's library to another's:
-// the same document is to give the same model everywhere.
-template <class T>
-void sort_stably(T* all, int count, std::size_t, int (*compare)(const void*, const void*)) {
-  std::stable_sort(all, all + count, [=](const T& a, const T& b) { return compare(&a, &b) < 0; });
-}
-
-}  // namespace
-
-#define STB_RECT_PACK_IMPLEMENTATION
-#define STBRP_STATIC
-#define STBRP_SORT sort_stably
-#include <stb/stb_rect_pack.h>
 
 namespace artisketch {
 namespace {
@@ -67,33 +52,71 @@ std::vector<Chart> charts_of(const Mesh& mesh, const FaceNeighbours& neighbours,
   return charts;
 }
 
-// Places every chart; the picture's height. Source: the skyline heuristic of Jylänki 2010.
-int pack(std::vector<Chart>& charts, int width) {
-  std::vector<stbrp_rect> rects;
-  double highest = 0;
-  for (std::size_t c = 0; c < charts.size(); ++c) {
-    const Vec2 size = charts[c].box.sizes() + Vec2::Constant(2 * kGutter);
-    rects.push_back({int(c), int(size.x()), int(size.y()), 0, 0, 0});
-    highest = std::max(highest, size.y());
+// A chart's shape, in columns of kCell texels: where each begins and ends, gutter and all.
+struct Shape {
+  int chart = 0, height = 0;  // cells
+  std::vector<int> low, high;
+};
+
+// Charts lie in cells: finer ones would waste less and take longer.
+constexpr int kCell = 2;  // texels
+
+Shape shape_of(int index, const Chart& chart, const Atlas& atlas) {
+  Shape shape;
+  shape.chart = index;
+  const Vec2 size = chart.box.sizes() + Vec2::Constant(2 * kGutter);
+  const int columns = int(std::ceil(size.x() / kCell));
+  std::vector<double> low(columns, std::numeric_limits<double>::max()), high(columns, 0.0);
+  const Vec2 origin = chart.box.min() - Vec2::Constant(kGutter);
+  for (const int f : chart.faces)
+    for (int k = 0; k < 3; ++k) {
+      Vec2 a = atlas.texels[atlas.corners(f, k)] - origin,
+           b = atlas.texels[atlas.corners(f, (k + 1) % 3)] - origin;
+      if (a.x() > b.x()) std::swap(a, b);
+      const double slope = b.x() > a.x() ? (b.y() - a.y()) / (b.x() - a.x()) : 0;
+      const int first = std::max(int((a.x() - kGutter) / kCell), 0),
+                last = std::min(int((b.x() + kGutter) / kCell), columns - 1);
+      for (int c = first; c <= last; ++c)
+        for (const double x : {double(c * kCell - kGutter), double((c + 1) * kCell + kGutter)}) {
+          const double y = x <= a.x() ? a.y() : x >= b.x() ? b.y() : a.y() + slope * (x - a.x());
+          low[c] = std::min(low[c], y - kGutter);
+          high[c] = std::max(high[c], y + kGutter);
+        }
+    }
+  for (int c = 0; c < columns; ++c) {
+    shape.low.push_back(int(std::clamp(low[c], 0.0, size.y()) / kCell));
+    shape.high.push_back(int(std::ceil(high[c] / kCell)));
+    shape.height = std::max(shape.height, shape.high.back());
   }
-  // All in one column would fit into so much.
-  stbrp_context context;
-  std::vector<stbrp_node> nodes(width);
-  const double enough = std::min(1e9, highest * double(charts.size()) + 1);
-  stbrp_init_target(&context, width, int(enough), nodes.data(), width);
-  stbrp_pack_rects(&context, rects.data(), int(rects.size()));
-  int height = 0;
-  for (const stbrp_rect& rect : rects) {
-    charts[rect.id].corner = Vec2(rect.x + kGutter, rect.y + kGutter);
-    height = std::max(height, rect.y + rect.h);
-  }
-  return height;
+  return shape;
 }
 
-int power_of_two(int least) {
-  int n = 1;
-  while (n < least) n *= 2;
-  return n;
+int even(int cells) {
+  return cells + cells % 2;
+}
+
+// Places every chart, the highest first, each where it leaves the least room unused below it, as in
+// the game of falling pieces; the picture's height in cells. Source: Lévy et al. 2002, section 4.
+int pack(const std::vector<Shape>& shapes, int width, std::vector<Chart>& charts) {
+  std::vector<int> top(width, 0);
+  for (const Shape& shape : shapes) {
+    const int columns = int(shape.low.size());
+    int best = 0, best_y = 0;
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    for (int x = 0; x + columns <= width; ++x) {
+      int y = 0;
+      for (int c = 0; c < columns; ++c) y = std::max(y, top[x + c] - shape.low[c]);
+      std::int64_t cost = std::int64_t(y + shape.height) * columns;
+      for (int c = 0; c < columns && cost < least; ++c) cost += y + shape.low[c] - top[x + c];
+      if (cost >= least) continue;
+      least = cost;
+      best = x;
+      best_y = y;
+    }
+    for (int c = 0; c < columns; ++c) top[best + c] = best_y + shape.high[c];
+    charts[shape.chart].corner = kCell * Vec2(best, best_y) + Vec2::Constant(kGutter);
+  }
+  return *std::max_element(top.begin(), top.end());
 }
 
 }  // namespace
@@ -127,27 +150,36 @@ Atlas make_atlas(const Mesh& mesh, const FaceNeighbours& neighbours, const std::
     area += size.prod();
   }
   const double shrink = std::min(1.0, std::sqrt(kMostTexels / area));
-  double widest = 0;
   for (Chart& chart : charts) {
     // A view's pixels stay whole texels where nothing shrinks.
     const Vec2 low = (shrink * chart.box.min()).array().floor(),
                high = (shrink * chart.box.max()).array().ceil();
     chart.box = Box2(low, high);
-    widest = std::max(widest, chart.box.sizes().x());
     for (const int i : chart.corners) atlas.texels[i] *= shrink;
   }
-  // Powers of two, as validators and old graphics cards want them: the pair that wastes least, the
-  // squarest of those.
-  atlas.width = 0;
-  for (int width = power_of_two(int(widest) + 2 * kGutter), i = 0; i < 4; ++i, width *= 2) {
-    const int height = power_of_two(pack(charts, width));
-    const auto waste = [](int w, int h) { return std::pair(double(w) * h, std::max(w, h)); };
-    if (atlas.width == 0 || waste(width, height) < waste(atlas.width, atlas.height)) {
-      atlas.width = width;
-      atlas.height = height;
-    }
+  std::vector<Shape> shapes;
+  double cells = 0;
+  int widest_shape = 1;
+  for (std::size_t c = 0; c < charts.size(); ++c) {
+    shapes.push_back(shape_of(int(c), charts[c], atlas));
+    const Shape& shape = shapes.back();
+    for (std::size_t i = 0; i < shape.low.size(); ++i) cells += shape.high[i] - shape.low[i];
+    widest_shape = std::max(widest_shape, int(shape.low.size()));
   }
-  pack(charts, atlas.width);
+  std::stable_sort(shapes.begin(), shapes.end(),
+                   [](const Shape& a, const Shape& b) { return a.height > b.height; });
+  // The width that wastes least, of a few that make the picture about square.
+  int best = 0;
+  double least = std::numeric_limits<double>::max();
+  for (const double wide : {0.9, 1.0, 1.1, 1.2, 1.3, 1.4}) {
+    const int width = even(std::max(widest_shape, int(wide * std::sqrt(cells))));
+    const double area = double(width) * even(pack(shapes, width, charts));
+    if (area >= least) continue;
+    least = area;
+    best = width;
+  }
+  atlas.width = kCell * best;
+  atlas.height = kCell * even(pack(shapes, best, charts));
   for (const Chart& chart : charts)
     for (const int i : chart.corners) atlas.texels[i] += chart.corner - chart.box.min();
   return atlas;

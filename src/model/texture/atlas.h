@@ -15,7 +15,8 @@ struct Atlas {
 
 // A chart is a connected set of triangles that one view paints, laid out as that view sees it, a
 // texel a pixel (fewer where all would pass 4 million); or one that none paints and that faces one
-// way, laid flat at `scale` texels a unit. Charts lie kGutter texels apart at least, twice.
+// way, laid flat at `scale` texels a unit. Charts lie kGutter texels apart at least, twice; the
+// picture is as small as that leaves it, its sides multiples of four.
 inline constexpr int kGutter = 4;
 Atlas make_atlas(const Mesh& mesh, const FaceNeighbours& neighbours, const std::vector<int>& views,
                  const DrawnSurface& surface, double scale);

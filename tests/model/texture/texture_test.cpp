@@ -1,3 +1,5 @@
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "model/stages.h"
@@ -515,6 +517,48 @@ TEST(Texture, WhatIsDarkInOneDrawingAndLightInAnotherIsShade) {
     else
       EXPECT_EQ(dark, 0);
   }
+}
+
+// Where a drawing shows the surface squarely there is a texel for each of its pixels, no two places
+// share one, and little of the picture shows nothing.
+TEST(Texture, TexelsAreAsFineAsTheDrawingAndFewAreWasted) {
+  const Model plain = ball();
+  const Model model =
+      painted(document_of(plain.skeleton, {0, -90}), {disc(kRed), disc(kBlue)}, plain);
+  const Vec2 size(model.texture->width, model.texture->height);
+  std::vector<int> shown(std::size_t(size.prod()), -1);
+  double used = 0;
+  int square = 0;
+  for (int f = 0; f < model.mesh.F.rows(); ++f) {
+    std::array<Vec2, 3> at;
+    std::array<Vec2, 3> drawn;
+    double front = 1;
+    for (int k = 0; k < 3; ++k) {
+      const int v = model.mesh.F(f, k);
+      at[k] = model.texcoords[v].cwiseProduct(size);
+      drawn[k] = kScale * model.mesh.V.row(v).head<2>().transpose();
+      front = std::min(front, model.mesh.V(v, 2));
+    }
+    const double area = std::abs(cross(at[1] - at[0], at[2] - at[0])) / 2;
+    used += area;
+    if (front > 0.9) {
+      ++square;
+      EXPECT_GT(area, 0.999 * std::abs(cross(drawn[1] - drawn[0], drawn[2] - drawn[0])) / 2);
+    }
+    for (int i = 1; i < 8; ++i)
+      for (int j = 1; i + j < 8; ++j) {
+        const Vec2 p = (i * at[0] + j * at[1] + (8 - i - j) * at[2]) / 8;
+        int& here = shown[std::size_t(p.y()) * model.texture->width + std::size_t(p.x())];
+        constexpr double kBeside = 0.35;  // units: triangles that meet within a texel
+        if (here >= 0) {
+          const auto first = [&](int face) { return model.mesh.V.row(model.mesh.F(face, 0)); };
+          EXPECT_LT((first(f) - first(here)).norm(), kBeside) << f << ' ' << here;
+        }
+        here = f;
+      }
+  }
+  EXPECT_GT(square, 20);
+  EXPECT_GT(used, 0.5 * size.prod());
 }
 
 // Stairs of few colours: every texel has one of them.
