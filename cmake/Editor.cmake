@@ -79,6 +79,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/session/built_model.cpp
   src/editor/session/command.cpp
   src/editor/session/drawings_in.cpp
+  src/editor/session/drawing_edits.cpp
   src/editor/session/edit_commands.cpp
   src/editor/session/file_commands.cpp
   src/editor/session/files.cpp

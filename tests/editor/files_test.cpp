@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "editor/step.h"
+#include "files/document_file.h"
 #include "files/image_file.h"
 
 namespace artisketch {
@@ -336,6 +337,116 @@ TEST_F(Files, ADrawingIsRenamed) {
   h.frames(2);
   EXPECT_EQ(h.document().frames[1].name, "running");
   expect_step("Rename drawing");
+}
+
+// Where the skeleton's joints stand in a drawing.
+std::vector<Vec2> joints_drawn(const Document& document, int frame) {
+  std::vector<Vec2> pixels;
+  for (const Transform& joint :
+       posed_joints(document.skeleton, document.frames[std::size_t(frame)].pose))
+    pixels.push_back(frame_camera(document, frame).project(joint.translation()));
+  return pixels;
+}
+
+TEST_F(Files, ADrawingIsTurnedFlippedAndCroppedWithAllThatLiesOnIt) {
+  const Document before = h.document();
+  const Frame& was = before.frames[1];
+  const auto picture = [&] {
+    h.key(ImGuiKey_S, ImGuiMod_Ctrl);
+    const std::string& saved = h.platform.files["/kept/hero.artisketch"];
+    return *load_frame_image(parse_document(saved, "saved")->frames[1], "saved");
+  };
+  const Image old = picture();
+  const std::vector<Vec2> joints = joints_drawn(before, 1);
+  constexpr double kRead = 1e-3;  // pixels: a file's rotations are of unit length to six digits
+  const auto expect_moved = [&](const char* undo, const auto& map, bool sides_change) {
+    const Document& now = h.document();
+    const std::vector<Vec2> moved = joints_drawn(now, 1);
+    for (std::size_t c = 0; c < was.contours.size(); ++c) {
+      const Contour &a = was.contours[c], &b = now.frames[1].contours[c];
+      const int mirror = before.skeleton.joints[std::size_t(a.joint)].mirror;
+      EXPECT_EQ(b.joint, sides_change && mirror >= 0 ? mirror : a.joint);
+      EXPECT_LT((b.line.points[0] - map(a.line.points[0])).norm(), 1e-9) << undo;
+    }
+    for (std::size_t j = 0; j < joints.size() && !sides_change; ++j)
+      EXPECT_LT((moved[j] - map(joints[j])).norm(), kRead) << undo << " " << j;
+    // The pixels that were there lie where they went.
+    const Image image = picture();
+    EXPECT_EQ(image.width, now.frames[1].width);
+    EXPECT_EQ(image.height, now.frames[1].height);
+    for (int y = 300; y < 500; y += 20)
+      for (int x = 240; x < 400; x += 20) {
+        const Vec2 to = map(Vec2(x + 0.5, y + 0.5));
+        for (int k = 0; k < 4; ++k)
+          EXPECT_EQ(old.at(x, y)[k], image.at(int(to.x()), int(to.y()))[k]) << undo;
+      }
+    expect_step(undo);
+    h.key(ImGuiKey_Z, ImGuiMod_Ctrl);
+    EXPECT_EQ(h.document().frames[1].image, was.image);
+  };
+  const double w = was.width, height = was.height;
+  h.right_click("Drawing card 2");
+  h.click("Turn right");
+  expect_moved(
+      "Turn drawing", [&](const Vec2& p) { return Vec2(height - p.y(), p.x()); }, false);
+  h.right_click("Drawing card 2");
+  h.click("Turn left");
+  expect_moved(
+      "Turn drawing", [&](const Vec2& p) { return Vec2(p.y(), w - p.x()); }, false);
+  h.right_click("Drawing card 2");
+  h.click("Flip left to right");
+  expect_moved(
+      "Flip drawing", [&](const Vec2& p) { return Vec2(w - p.x(), p.y()); }, true);
+  h.right_click("Drawing card 2");
+  h.click("Crop to the figure");
+  const Vec2 by =
+      was.contours[0].line.points[0] - h.document().frames[1].contours[0].line.points[0];
+  EXPECT_LT(h.document().frames[1].width, was.width);
+  EXPECT_LE(h.document().frames[1].height, was.height);
+  expect_moved(
+      "Crop drawing", [&](const Vec2& p) { return Vec2(p - by); }, false);
+  // What is cropped has nothing to cut away.
+  h.key(ImGuiKey_Y, ImGuiMod_Ctrl);
+  const Document cropped = h.document();
+  h.right_click("Drawing card 2");
+  h.click("Crop to the figure");
+  EXPECT_EQ(h.document().frames[1].width, cropped.frames[1].width);
+  EXPECT_NE(h.said().find("fills its drawing"), std::string::npos);
+}
+
+TEST_F(Files, APictureIsReplacedUnderItsOutlines) {
+  const Document before = h.document();
+  const Frame& was = before.frames[1];
+  Image other(was.width, was.height);
+  h.platform.to_open.push_back(std::vector<NamedBytes>{{"again.png", png_bytes(other), ""}});
+  h.right_click("Drawing card 2");
+  h.click("Replace picture");
+  h.frames(2);
+  EXPECT_NE(h.document().frames[1].image, was.image);
+  EXPECT_EQ(h.document().frames[1].contours.size(), was.contours.size());
+  EXPECT_TRUE(same_pose(h.document().frames[1].pose, was.pose));
+  expect_step("Replace picture");
+  begin();
+  // Twice as fine: the same place for all that lies on it.
+  const std::vector<Vec2> joints = joints_drawn(h.document(), 1);
+  const double scale = h.document().camera.type == Camera::Type::orthographic ? 2 : 1;
+  h.platform.to_open.push_back(
+      std::vector<NamedBytes>{{"finer.png", png_bytes(Image(2 * was.width, 2 * was.height)), ""}});
+  h.right_click("Drawing card 2");
+  h.click("Replace picture");
+  h.frames(2);
+  EXPECT_EQ(h.document().frames[1].width, int(scale * was.width));
+  EXPECT_LT((joints_drawn(h.document(), 1)[3] - scale * joints[3]).norm(), 1e-6);
+  begin();
+  // Another shape is another drawing.
+  const std::string finer = h.document().frames[1].image;
+  h.platform.to_open.push_back(
+      std::vector<NamedBytes>{{"wide.png", png_bytes(Image(900, 300)), ""}});
+  h.right_click("Drawing card 2");
+  h.click("Replace picture");
+  h.frames(2);
+  EXPECT_EQ(h.document().frames[1].image, finer);
+  EXPECT_NE(h.said().find("900 × 300"), std::string::npos) << h.said();
 }
 
 TEST_F(Files, TheStripsMenuCopiesMovesAndRemoves) {

@@ -11,15 +11,15 @@
 #include "editor/ui/icons.h"
 
 namespace artisketch {
-namespace {
 
-// Where the figure stands in a frame's drawing; none without one.
 std::optional<Box2> figure_in(const App& app, const Frame& frame) {
   const Drawing* drawing = app.services.drawings.of(frame);
   if (!drawing) return std::nullopt;
   const Box2 box = figure_box(segmented(drawing->image));
   return box.isEmpty() ? std::nullopt : std::optional(box);
 }
+
+namespace {
 
 std::string without_ending(const std::string& name) {
   return name.substr(0, name.rfind('.'));

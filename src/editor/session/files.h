@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "document/templates.h"
 #include "editor/session/app.h"
@@ -15,6 +16,8 @@ void open_example(App& app, const std::string& name, bool greet);
 void new_document(App& app);
 // A drawing at the end of the strip, a GIF's all; a sheet of several asks how to cut it.
 void add_drawing(App& app, const NamedBytes& file);
+// Where the figure stands in a frame's drawing, in its pixels; none without one.
+std::optional<Box2> figure_in(const App& app, const Frame& frame);
 // Another skeleton, fitted to the drawing in view.
 void begin_with_template(App& app, Template kind);
 void save(App& app, bool ask_where, std::function<void()> then = {});

@@ -3,6 +3,7 @@
 
 #include "document/edit.h"
 #include "editor/canvas/controls.h"
+#include "editor/session/drawing_edits.h"
 #include "editor/session/part_fit.h"
 #include "editor/shell/panels.h"
 #include "editor/ui/menu.h"
@@ -46,6 +47,16 @@ void drawing_menu(App& app, int f) {
     move_to(f - 1);
   } else if (menu.line("Move right", "", f + 1 < int(document.frames.size()))) {
     move_to(f + 1);
+  } else if (menu.line("Replace picture")) {
+    replace_picture(app, f);
+  } else if (menu.line("Crop to the figure")) {
+    crop_drawing(app, f);
+  } else if (menu.line("Flip left to right")) {
+    flip_drawing(app, f);
+  } else if (menu.line("Turn left")) {
+    turn_drawing(app, f, -1);
+  } else if (menu.line("Turn right")) {
+    turn_drawing(app, f, 1);
   } else if (menu.line("Remove drawing")) {
     app.session.commit("Remove drawing", without_frame(document, f));
     app.session.selection.contour = -1;
