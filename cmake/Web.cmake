@@ -24,7 +24,7 @@ target_compile_options(artisketch_editor PRIVATE -Oz)
 target_compile_options(artisketch_window PRIVATE -Oz)
 target_compile_options(artisketch_imgui PRIVATE -Oz)
 file(GLOB files CONFIGURE_DEPENDS src/files/*.cpp)
-set(edits edit animate bone_axis correspondence cut history mend outline_edit posing skeleton_edit
+set(edits edit animate bone_axis correspondence cut drawing_edit history mend outline_edit posing skeleton_edit
   sprite_sheet strokes suggest templates)
 list(TRANSFORM edits PREPEND src/document/)
 set(clips acts body_plan clips feet gaits joint_name library motion_map own_skeleton puppet retarget
