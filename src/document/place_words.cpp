@@ -33,6 +33,11 @@ PlacedWords placed_words(const Document& document, const std::string& words) {
       document.skeleton.size(), placed.joint,
       [&](int j) { return "'" + document.skeleton.joints[j].name + "'"; },
       [&](int j) { return joint_words(document.skeleton.joints[j].name).whole(); });
+  // Fields of the file, as controls or plain words.
+  for (int f = 0; f < int(document.frames.size()); ++f)
+    replace_all(placed.words, "frames[" + std::to_string(f) + "].scale", "Figure's size");
+  for (const char* limit : {"calibration.max_rotation", "calibration.max_translation"})
+    replace_all(placed.words, limit, "the document's limit");
   placed.words = capitalised(std::move(placed.words));
   return placed;
 }

@@ -27,6 +27,15 @@ TEST(PlaceWords, PlacesAreReadAsTheEditorCallsThem) {
   EXPECT_EQ(placed.joint, 1) << "the first that is named";
 }
 
+TEST(PlaceWords, FieldsOfTheFileAreReadAsControls) {
+  const Document document = two_drawings();
+  EXPECT_EQ(
+      placed_words(document, "with frames[1].scale at 0.83 its parts would be as large").words,
+      "With Figure's size at 0.83 its parts would be as large");
+  EXPECT_EQ(placed_words(document, "as far as calibration.max_rotation allows (8°)").words,
+            "As far as the document's limit allows (8°)");
+}
+
 TEST(PlaceWords, WordsOfNoPlaceStayAsTheyAre) {
   const PlacedWords placed = placed_words(two_drawings(), "the model has 500 triangles");
   EXPECT_EQ(placed.words, "The model has 500 triangles");
