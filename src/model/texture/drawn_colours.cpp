@@ -15,7 +15,7 @@ constexpr int kBeyondInk = 3;        // pixels that a colour may spread beside i
 
 constexpr std::array<std::array<int, 2>, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-Pixel pixel_of(const Image& picture, std::size_t p) {
+Pixel pixel_at(const Image& picture, std::size_t p) {
   Pixel pixel;
   std::copy_n(&picture.rgba[4 * p], 4, pixel.begin());
   return pixel;
@@ -69,7 +69,7 @@ std::optional<Pixel> paper_colour(const Image& picture, const Mask& outlined) {
   std::vector<int> count(16 * 16 * 16, 0), last(count.size());
   int all = 0;
   for (std::size_t p = 0; p < outlined.in.size(); ++p) {
-    const Pixel pixel = pixel_of(picture, p);
+    const Pixel pixel = pixel_at(picture, p);
     if (outlined.in[p]) continue;
     ++all;
     if (!opaque(pixel)) continue;
@@ -79,7 +79,7 @@ std::optional<Pixel> paper_colour(const Image& picture, const Mask& outlined) {
   }
   const auto most = std::max_element(count.begin(), count.end());
   if (2 * *most <= all) return std::nullopt;
-  return pixel_of(picture, last[most - count.begin()]);
+  return pixel_at(picture, last[most - count.begin()]);
 }
 
 // The pixels that show the figure: opaque, in the frame's closed contours where it has any, and not
@@ -95,7 +95,7 @@ Mask figure_mask(const Frame& frame, const Image& picture) {
   const std::optional<Pixel> paper = paper_colour(picture, figure);
   std::vector<std::size_t> front;
   for (std::size_t p = 0; p < figure.in.size(); ++p) {
-    const Pixel pixel = pixel_of(picture, p);
+    const Pixel pixel = pixel_at(picture, p);
     if (paper && !figure.in[p] && opaque(pixel) && alike(pixel, *paper)) front.push_back(p);
     if (!opaque(pixel)) figure.in[p] = 0;
   }
@@ -107,7 +107,7 @@ Mask figure_mask(const Frame& frame, const Image& picture) {
       for (const auto& [dx, dy] : kBeside) {
         if (x + dx < 0 || y + dy < 0 || x + dx >= w || y + dy >= h) continue;
         const std::size_t q = p + std::ptrdiff_t(dy) * w + dx;
-        if (!figure.in[q] || !alike(pixel_of(picture, q), *paper)) continue;
+        if (!figure.in[q] || !alike(pixel_at(picture, q), *paper)) continue;
         figure.in[q] = 0;
         next.push_back(q);
       }
@@ -182,7 +182,7 @@ void keep_own(const Frame& frame, const std::vector<Holders>& holders, const Par
         const Holders& here = holders[o.seen.face[p]];
         if (here.has(joint))
           own[p] = 1;
-        else if (colours.is_foreign(pixel_of(o.picture, p), here, joint))
+        else if (colours.is_foreign(pixel_at(o.picture, p), here, joint))
           taken[p] = 1;
       }
     take_before(o, holders, joint, part, taken);
@@ -231,7 +231,7 @@ float ink_width(const Overlay& o, const std::vector<float>& distance) {
   std::array<double, kBins> light = {}, count = {};
   for (std::size_t p = 0; p < distance.size(); ++p) {
     if (o.seen.face[p] < 0 || !o.figure.in[p] || distance[p] >= kBins) continue;
-    light[std::size_t(distance[p])] += lightness(pixel_of(o.picture, p));
+    light[std::size_t(distance[p])] += lightness(pixel_at(o.picture, p));
     count[std::size_t(distance[p])] += 1;
   }
   double within = 0, pixels = 0;
@@ -414,7 +414,7 @@ void fill_colours(const Frame& frame, const Image& picture, const Triangles& F,
       const std::size_t p = o.index(x, y);
       if (!o.inside(x, y) || !o.figure.in[p]) continue;
       if (distance[p] < ink && !in_the_middle(x, y)) continue;
-      sketch.colour[p] = pixel_of(o.picture, p);
+      sketch.colour[p] = pixel_at(o.picture, p);
       sketch.state[p] = Sketch::drawn;
     }
   // Over the ink, on the slant, and what the model and the drawing differ by.
