@@ -103,7 +103,7 @@ std::vector<std::string> joint_names(const Skeleton& skeleton) {
   return names;
 }
 
-Document scaled(Document document, double scale) {
+Document scene_scaled(Document document, double scale) {
   document.camera.pixels_per_unit /= scale;
   for (Joint& joint : document.skeleton.joints) joint.offset *= scale;
   for (Frame& frame : document.frames) frame.pose.root_position *= scale;
@@ -202,7 +202,7 @@ TEST(Invariance, TheResultMovesWithTheScene) {
   };
   for (const auto& [scale, most] :
        {std::pair(4.0, 0.0), std::pair(1000.0, kWithinACell)}) {  // a power of two, and not
-    moved_to("scaled", scaled(document, scale), scale, most);
+    moved_to("scaled", scene_scaled(document, scale), scale, most);
   }
   Document shifted = document;
   for (Frame& frame : shifted.frames) {
