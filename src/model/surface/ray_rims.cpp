@@ -220,6 +220,11 @@ std::vector<SurfacePoint> surface_points(const Carving& carving, const std::vect
       points.push_back({p, n, (ray.ray.direction - ray.ray.direction.dot(n) * n).normalized()});
     }
   }
+  const std::size_t all = points.size();
+  if (all <= kMostSurfacePoints) return points;
+  for (std::size_t i = 0; i < kMostSurfacePoints; ++i)
+    points[i] = points[i * all / kMostSurfacePoints];
+  points.resize(kMostSurfacePoints);
   return points;
 }
 

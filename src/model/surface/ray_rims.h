@@ -40,7 +40,10 @@ void choose_depths(const Carving& carving, const Box3& box, RayRim& rim);
 // tells one depth from another.
 void detect_depths(const Carving& carving, const Box3& box, const HermiteSurface& f, RayRim& rim);
 
-// Every stride-th of the rims' points with the outlines' normals, back-projected.
+// Every stride-th of the rims' points with the outlines' normals, back-projected; of more than
+// kMostSurfacePoints so many, evenly: a dozen drawings have fewer, and the surface through them is
+// found from a dense system.
+inline constexpr std::size_t kMostSurfacePoints = 1200;
 std::vector<SurfacePoint> surface_points(const Carving& carving, const std::vector<RayRim>& rims,
                                          int stride = 1);
 

@@ -5,6 +5,8 @@
 
 #include "model/drawn_parts.h"
 #include "model/stages.h"
+#include "model/surface/carving.h"
+#include "model/surface/ray_rims.h"
 
 namespace artisketch {
 namespace {
@@ -286,6 +288,25 @@ TEST(SurfaceRays, TheFieldIsTheMeshsDistance) {
       EXPECT_NEAR(cells, way * surface.distance.cell, 0.35 * surface.distance.cell);
     }
   }
+}
+
+// The system through them is dense: without a bound, outlines of thousands of crumbs took more
+// memory than there is.
+TEST(SurfaceRays, ManyPiecesGiveNoMorePointsThanASystemHolds) {
+  const Part part = drawn::two_circles();
+  const Result<Carving> carving = carving_of(part, 24);
+  ASSERT_TRUE(carving);
+  std::vector<RayRim> rims;
+  for (int i = 0; i < 1000; ++i)
+    for (RayRim& rim : outline_rays(carving->views[0], 16)) {
+      rim.view = 0;
+      rims.push_back(std::move(rim));
+    }
+  EXPECT_EQ(surface_points(*carving, rims).size(), kMostSurfacePoints);
+  rims.resize(10);
+  const std::size_t few = surface_points(*carving, rims).size();
+  EXPECT_GT(few, 100u);
+  EXPECT_LT(few, 200u) << "few are all taken";
 }
 
 TEST(SurfaceRays, IsTheSameEveryTime) {
