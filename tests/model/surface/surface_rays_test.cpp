@@ -170,6 +170,46 @@ TEST(SurfaceRays, NearSidesThatContradictEachOtherMakeNoPlank) {
   }
 }
 
+// A ball with two pointed ears, as a drawing shows it that has it turned so far.
+drawn::Outline eared_ball(double degrees) {
+  constexpr double kBall = 0.7, kTip = 1.4, kAside = 0.5, kHalf = 0.18, kBase = 0.4;
+  drawn::Outline outline;
+  for (int i = 0; i < 720; ++i) {
+    const Vec2 way(std::cos(i * kPi / 360), std::sin(i * kPi / 360));
+    double far = kBall;
+    for (const double side : {-kAside, kAside}) {
+      const double x = side * std::cos(radians(degrees));
+      const Vec2 tip(x, kTip);
+      for (const double edge : {x - kHalf, x + kHalf}) {
+        const Vec2 from(edge, kBase), along = tip - from;
+        const double across = cross(way, along);
+        if (std::abs(across) < 1e-9) continue;
+        const double t = cross(from, way) / across, r = cross(from, along) / across;
+        if (t >= 0 && t <= 1) far = std::max(far, r);
+      }
+    }
+    outline.push_back(far * way);
+  }
+  return outline;
+}
+
+// What is guessed of a depth takes no ears away.
+TEST(SurfaceRays, EarsStayWhereTheDepthIsAGuess) {
+  for (const double degrees : {60.0, 65.0}) {
+    const Part part = drawn::part(
+        {{from_front(), {eared_ball(0)}, {}},
+         {Quat(Eigen::AngleAxisd(radians(degrees), Vec3::UnitY())), {eared_ball(degrees)}, {}}});
+    const PartSurface surface = surface_of(part, 64);
+    expect_sound(surface);
+    expect_silhouettes(part, surface.mesh, 0.93);
+    double left = 0, right = 0;  // how far up they reach
+    for (int v = 0; v < surface.mesh.V.rows(); ++v)
+      (surface.mesh.V(v, 0) < 0 ? left : right) =
+          std::max(surface.mesh.V(v, 0) < 0 ? left : right, surface.mesh.V(v, 1));
+    EXPECT_GT(std::min(left, right), 1.2) << degrees;
+  }
+}
+
 // Outlines 35° apart tell something of the depth: less of it is believed where they contradict each
 // other, and the part stays nearer to as deep as wide than its outlines would have it (1.41).
 TEST(SurfaceRays, OutlinesTellTheDepthAsFarAsTheyAgree) {
