@@ -93,7 +93,7 @@ Result<JobResult> run_parts(const JobRequest& request, Run& run) {
 Result<JobResult> run_spheres(const Document& document, const JobRequest& request, Run& run) {
   const PipelineOptions& options = request.options;
   std::vector<PartSurface> surfaces;
-  for (const Part& part : parts_of(with_posed_contours(document))) {
+  for (const Part& part : parts_of(with_shaping_contours(document))) {
     Result<PartSurface> surface =
         reconstruct_part(part, {options.method, options.grid, options.visual_hull}, run);
     if (run.cancelled()) return cancelled();

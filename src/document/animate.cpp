@@ -133,7 +133,7 @@ bool same_tweaks(const Document& a, const Document& b, int joint) {
   };
   const SphereTweak p = sphere(a), q = sphere(b);
   return p.radius == q.radius && p.offset == q.offset &&
-         fatness_of(a, joint) == fatness_of(b, joint);
+         fatness_of(a, joint) == fatness_of(b, joint) && role_of(a, joint) == role_of(b, joint);
 }
 
 }  // namespace

@@ -44,7 +44,16 @@ bool is_posed(const Document& document, int frame) {
   return frame == 0 || document.frames[frame].posed;
 }
 
-Document with_posed_contours(Document document) {
+Role role_of(const Document& document, int joint) {
+  const auto found = document.parts.find(joint);
+  return found == document.parts.end() ? Role::body : found->second.role;
+}
+
+Document with_shaping_contours(Document document) {
+  for (Frame& frame : document.frames)
+    std::erase_if(frame.contours, [&](const Contour& contour) {
+      return role_of(document, contour.joint) == Role::apart;
+    });
   const auto tells = [&](int f) {
     return is_posed(document, f) && !document.frames[f].contours.empty();
   };

@@ -52,8 +52,17 @@ struct SphereTweak {
   std::string unknown;
 };
 
+// Whose a part is.
+enum class Role {
+  body,
+  held,   // a thing before the body, of one piece: its pixels paint nothing else
+  apart,  // no part of the character: makes no surface, and its pixels paint nothing
+};
+inline constexpr const char* kRoleNames[] = {"body", "held", "apart"};  // by Role
+
 struct PartSettings {
   double fatness = 1;
+  Role role = Role::body;
   std::string unknown;
 };
 
@@ -121,9 +130,12 @@ bool is_hidden(const Frame& frame, int joint);
 // from.
 bool is_posed(const Document& document, int frame);
 
-// The document as it tells of the figure's shape: without the contours of frames that nobody has
-// posed yet, which would carve the parts from wrong sides. As it is where no other has any.
-Document with_posed_contours(Document document);
+Role role_of(const Document& document, int joint);
+
+// The document as it tells of the figure's shape: without the contours of what is no part of the
+// character, and of frames that nobody has posed yet, which would carve the parts from wrong sides
+// (with these where no other has any).
+Document with_shaping_contours(Document document);
 
 // Joints that carry a contour in at least one frame, ascending.
 std::vector<int> drawn_joints(const Document& document);

@@ -36,11 +36,17 @@ std::string drawing_words(const Document& document, int frame) {
   return name.empty() ? "Drawing " + std::to_string(frame + 1) : capitalised(name);
 }
 
+Document with_role(Document document, int joint, Role role) {
+  document.parts[joint].role = role;
+  return document;
+}
+
 std::vector<int> parts_to_draw(const Document& document) {
   const std::vector<int> drawn = drawn_joints(document);
   std::vector<int> joints;
   for (int j = 0; j < document.skeleton.size(); ++j)
-    if (!document.skeleton.children(j).empty() || std::binary_search(drawn.begin(), drawn.end(), j))
+    if (!document.skeleton.children(j).empty() || role_of(document, j) != Role::body ||
+        std::binary_search(drawn.begin(), drawn.end(), j))
       joints.push_back(j);
   return joints;
 }

@@ -27,7 +27,8 @@ JointWords joint_words(const std::string& name);
 // A drawing's name as people read it: "front" → "Front"; its number where it has none.
 std::string drawing_words(const Document& document, int frame);
 
-// The joints whose parts are to be outlined: those that have a child, or carry a contour anywhere.
+// The joints whose parts are to be outlined: those that have a child, carry a contour anywhere, or
+// stand for a thing.
 std::vector<int> parts_to_draw(const Document& document);
 
 // ---------------------------------------------------------------- frames
@@ -67,6 +68,7 @@ Pose fitted_rest_pose(const Document& document, const Frame& frame);
 Document with_contour(Document document, int frame, Contour contour);  // in front
 Document without_contour(Document document, int frame, int contour);
 Document with_contour_joint(Document document, int frame, int contour, int joint);
+Document with_role(Document document, int joint, Role role);
 Document with_contour_points(Document document, int frame, int contour, std::vector<Vec2> points);
 // Behind or in front of its neighbour.
 Document with_contour_shifted(Document document, int frame, int contour, int by);

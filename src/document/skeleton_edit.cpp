@@ -223,6 +223,15 @@ std::optional<Document> without_one(const Document& document, int joint) {
 
 }  // namespace
 
+Document with_thing_added(Document document, int parent) {
+  document = with_joint_added(std::move(document), parent, Vec3::Zero(), false);
+  const int joint = document.skeleton.size() - 1;
+  Joint& thing = document.skeleton.joints[joint];
+  thing.name = unique_joint_name(document.skeleton, "thing", joint);
+  thing.mirror = -1;
+  return with_role(std::move(document), joint, Role::held);
+}
+
 std::optional<Document> without_joint(const Document& document, int joint, bool mirrored) {
   ensure(joint >= 0 && joint < document.skeleton.size(), "a joint of the skeleton");
   const int mirror = document.skeleton.joints[joint].mirror;

@@ -26,6 +26,9 @@ std::string unique_joint_name(const Skeleton& skeleton, const std::string& wante
 //             set into it, and the joint is its own mirror image.
 Document with_joint_added(Document document, int parent, Vec3 offset, bool mirrored);
 
+// A new joint at its parent's place for a thing that the parent holds, by the name "thing".
+Document with_thing_added(Document document, int parent);
+
 // Without a joint: its children hang on its parent, where they were in the rest pose; its contours
 // become the parent's. Its mirror image goes too where `mirrored`. Nothing where it is the root and
 // has not exactly one child, which then is the root.

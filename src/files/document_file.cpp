@@ -62,6 +62,7 @@ class Reader : JsonReader {
   void calibration(const Json& value, const JsonPath& at);
   void spheres(const Json& value, const JsonPath& at);
   void parts(const Json& value, const JsonPath& at);
+  void role(const Json& value, const JsonPath& at, Role& role);
   void animation(const Json& value, const JsonPath& at, std::size_t& keys);
   void motion(const Json& value, const JsonPath& at);
   void settings(const Json& value, const JsonPath& at);
@@ -395,6 +396,15 @@ void Reader::spheres(const Json& value, const JsonPath& at) {
            });
 }
 
+void Reader::role(const Json& value, const JsonPath& at, Role& role) {
+  for (std::size_t r = 0; r < std::size(kRoleNames); ++r)
+    if (value.is_string() && value.get<std::string>() == kRoleNames[r]) {
+      role = Role(r);
+      return;
+    }
+  wrong(at, value, R"("body", "held" or "apart")");
+}
+
 void Reader::parts(const Json& value, const JsonPath& at) {
   by_joint(value, at, "an object of parts by joint name",
            [&](int joint, const Json& given, const JsonPath& one) {
@@ -402,6 +412,7 @@ void Reader::parts(const Json& value, const JsonPath& at) {
              Fields fields(given, one, faults_);
              if (const Json* v = fields.find("fatness"))
                number(*v, one / "fatness", kFatness, part.fatness);
+             if (const Json* v = fields.find("role")) role(*v, one / "role", part.role);
              part.unknown = fields.unknown();
            });
 }

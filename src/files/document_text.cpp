@@ -188,6 +188,7 @@ Json Writer::parts() const {
   for (const auto& [joint, part] : document_.parts) {
     Json one = Json::object();
     one["fatness"] = json_number(part.fatness);
+    if (part.role != Role::body) one["role"] = kRoleNames[int(part.role)];
     out[name(joint)] = with_unknown(std::move(one), part.unknown);
   }
   return out;

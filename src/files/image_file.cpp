@@ -482,7 +482,7 @@ std::vector<Image> load_drawings(const Document& document, const std::string& do
                                  std::vector<std::string>& warnings) {
   std::vector<Image> drawings;
   long long pixels = 0;
-  const double scale = std::min(1.0, working_scale(with_posed_contours(document)));
+  const double scale = std::min(1.0, working_scale(with_shaping_contours(document)));
   for (std::size_t f = 0; f < document.frames.size(); ++f) {
     const Frame& frame = document.frames[f];
     drawings.emplace_back();

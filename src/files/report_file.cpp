@@ -37,10 +37,12 @@ Json stages_json(const std::vector<StageTime>& stages) {
   return all;
 }
 
-Json frames_json(const Document& document, const std::vector<FrameFit>& fits) {
+Json frames_json(const Document& document, const Reconstruction& result) {
+  const std::vector<FrameFit>& fits = result.fits;
   Json all = Json::array();
   for (std::size_t f = 0; f < fits.size(); ++f) {
     Json one = {{"frame", frame_name(document, f)}, {"iou", number(fits[f].iou)}};
+    if (f < result.coloured.size()) one["coloured"] = number(result.coloured[f]);
     Json& parts = one["parts"] = Json::array();
     for (const FrameFit::PartFit& part : fits[f].parts)
       parts.push_back({{"joint", joint_name(document, part.joint)},
@@ -117,7 +119,7 @@ std::string report_text(const Document& document, const Reconstruction& result,
                         std::span<const MovedBy> moved) {
   Json report = head(document);
   report["stages"] = stages_json(result.stages);
-  report["frames"] = frames_json(document, result.fits);
+  report["frames"] = frames_json(document, result);
   report["unseen_sides"] = unseen_sides_json(document, result.calibrated);
   report["calibration"] =
       result.calibration ? calibration_json(document, *result.calibration) : Json(nullptr);

@@ -15,6 +15,7 @@
 #include "model/stages.h"
 #include "model/surface/carving.h"
 #include "model/surface/mirror.h"
+#include "model/texture/props.h"
 #include "model/working_scale.h"
 
 namespace artisketch {
@@ -72,24 +73,34 @@ void warn_of_one_side(const Document& document, const std::vector<Part>& parts,
         "are is a guess. A drawing from another side would tell");
 }
 
-// The drawings as large as parts are worked on, where they may be already, and empty where nobody
-// has posed them. Kept in `made` where they differ from those given.
-std::span<const Image> worked_on(const Document& document, const Document& drawn,
-                                 std::span<const Image> drawings, double scale,
-                                 std::vector<Image>& made) {
+// The drawings as large as they are painted from, where they may be already, empty where nobody has
+// posed them and without what is no part of the character. Kept in `made` where they differ from
+// those given.
+//   drawn  the document so large, with all its contours
+std::span<const Image> worked_on(const Document& drawn, std::span<const Image> drawings,
+                                 double scale, std::vector<Image>& made) {
   const auto is_ready = [&](std::size_t f) {
     return drawings[f].empty() || (drawings[f].width == drawn.frames[f].width &&
                                    drawings[f].height == drawn.frames[f].height);
   };
-  const std::size_t count = std::min(drawings.size(), document.frames.size());
-  bool ready = true;
-  for (std::size_t f = 0; f < count; ++f)
-    ready = ready && is_posed(document, int(f)) && is_ready(f);
-  if (ready) return drawings;
-  for (std::size_t f = 0; f < count; ++f)
-    made.push_back(!is_posed(document, int(f)) ? Image()
-                   : is_ready(f)               ? drawings[f]
-                                               : scaled(drawings[f], scale));
+  const auto is_apart = [&](const Contour& contour) {
+    return role_of(drawn, contour.joint) == Role::apart;
+  };
+  const std::size_t count = std::min(drawings.size(), drawn.frames.size());
+  bool as_given = true;
+  for (std::size_t f = 0; f < count; ++f) {
+    const std::vector<Contour>& contours = drawn.frames[f].contours;
+    as_given = as_given && is_posed(drawn, int(f)) && is_ready(f) &&
+               std::none_of(contours.begin(), contours.end(), is_apart);
+  }
+  if (as_given) return drawings;
+  for (std::size_t f = 0; f < count; ++f) {
+    made.push_back(!is_posed(drawn, int(f)) ? Image()
+                   : is_ready(f)            ? drawings[f]
+                                            : scaled(drawings[f], scale));
+    Image without = without_things_apart(drawn, int(f), made.back());
+    if (!without.empty()) made.back() = std::move(without);
+  }
   return made;
 }
 
@@ -125,16 +136,21 @@ PipelineOptions with_settings(PipelineOptions options, const DocumentSettings& s
 namespace {
 
 // The model's colours, where there are drawings.
-//   posed, drawn  the document as it was drawn, and as large as it is worked on, `scale` times
-Result<Done> paint(const Document& posed, const Document& drawn, double scale,
-                   std::span<const Image> drawings, Model& model, StageClock& stages, Run& run) {
+//   posed  the document with what shapes the model
+Result<Done> paint(const Document& posed, std::span<const Image> drawings, StageClock& stages,
+                   Reconstruction& out, Run& run) {
   if (std::all_of(drawings.begin(), drawings.end(), [](const Image& d) { return d.empty(); }))
     return Done();
   stages.start("texture", 0.95, 0.97);
+  // A large drawing's colours are as fine as the texture can keep them.
+  const double scale = working_scale(posed);
   std::vector<Image> made;
   Result<Model> painted =
-      textured(drawn, worked_on(posed, drawn, drawings, scale, made), model, run);
+      textured(scaled(posed, scale),
+               worked_on(scaled(out.calibrated, scale), drawings, scale, made), out.model, run,
+               &out.coloured);
   if (!painted) return painted.error();
+  Model& model = out.model;
   model = std::move(*painted);
   const double texels = model.texture ? double(model.texture->width) * model.texture->height : 0;
   stages.finish({{"texels", texels},
@@ -162,13 +178,11 @@ Result<Reconstruction> reconstruct_ordered(const Document& document, const Pipel
 
   stages.start("surfaces", 0.3, 0.8);
   name_unposed(document, out.warnings);
-  const Document posed = with_posed_contours(out.calibrated);
-  std::vector<Part> parts = parts_of(posed);
+  const Document posed = with_shaping_contours(out.calibrated);
+  const Document drawn = scaled(posed, shape_scale(posed));
+  std::vector<Part> parts = parts_of(drawn);
   name_specks(posed, parts, out.warnings);
   warn_of_one_side(posed, parts, out.warnings);
-  const double scale = working_scale(posed);
-  const Document drawn = scaled(posed, scale);
-  for (Part& part : parts) part = scaled(std::move(part), scale);
   if (options.mirror) add_mirrored_views(drawn, parts);
   double cells = 0, part_vertices = 0;
   for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -211,9 +225,7 @@ Result<Reconstruction> reconstruct_ordered(const Document& document, const Pipel
       document.name,           document.skeleton, std::move(*mesh), std::move(*weights), {}, {},
       clips_of(out.calibrated)};
   if (options.texture)
-    if (const Result<Done> painted =
-            paint(posed, drawn, scale, options.drawings, out.model, stages, run);
-        !painted)
+    if (const Result<Done> painted = paint(posed, options.drawings, stages, out, run); !painted)
       return painted.error();
 
   stages.start("fit", 0.97, 1);

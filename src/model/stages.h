@@ -236,8 +236,9 @@ struct Model {
 // no drawing shows it.
 //   drawings  decoded, one per frame, of its size; empty ones are left out
 // Fails only if cancelled.
+//   shares    if asked for: per frame, the share of the surface that shows its colours
 Result<Model> textured(const Document& calibrated, std::span<const Image> drawings,
-                       const Model& model, Run& run);
+                       const Model& model, Run& run, std::vector<double>* shares = nullptr);
 
 // ---------------------------------------------------------------- the whole
 
@@ -278,6 +279,8 @@ struct Reconstruction {
   std::optional<Calibration> calibration;
   std::vector<PartSurface> parts;
   std::vector<FrameFit> fits;  // one per frame
+  std::vector<double>
+      coloured;  // per frame, the surface's share with its colours; empty: untextured
   std::vector<StageTime> stages;
   std::vector<std::string> warnings;
 };

@@ -49,19 +49,40 @@ Image mean_of_blocks(const Image& picture, int side) {
 
 }  // namespace
 
-double working_scale(const Document& document) {
-  double largest = 0, pixels = 0;
+namespace {
+
+// Pixels, of the largest figure by its outlines.
+double largest_figure(const Document& document) {
+  double largest = 0;
   for (const Frame& frame : document.frames) {
     Box2 box;
-    for (const Contour& contour : frame.contours) {
+    for (const Contour& contour : frame.contours)
       for (const Vec2& p : contour.line.points) box.extend(p);
-      if (contour.line.closed) pixels += area(contour.line);
-    }
     if (!box.isEmpty()) largest = std::max(largest, box.sizes().maxCoeff());
   }
+  return largest;
+}
+
+}  // namespace
+
+double working_scale(const Document& document) {
+  const double largest = largest_figure(document);
+  double pixels = 0;
+  for (const Frame& frame : document.frames)
+    for (const Contour& contour : frame.contours)
+      if (contour.line.closed) pixels += area(contour.line);
   double times = 1;
   while (largest > 0 && times < kMostEnlarged && times * largest < kWorkingSize) times *= 2;
   while (times * kMostShrunk > 1 && times * times / 4 * pixels >= kEnoughPixels) times /= 2;
+  return times;
+}
+
+double shape_scale(const Document& document) {
+  constexpr double kMost = 1 << 20;
+  const double largest = largest_figure(document);
+  double times = 1;
+  while (largest > 0 && times < kMost && times * largest < kShapeSize) times *= 2;
+  while (times > 1 / kMost && times * largest >= 2 * kShapeSize) times /= 2;
   return times;
 }
 
@@ -79,19 +100,6 @@ Document scaled(Document document, double times) {
       for (Vec2& p : contour.line.points) p *= times;
   }
   return document;
-}
-
-Part scaled(Part part, double times) {
-  if (times == 1) return part;
-  for (PartView& view : part.views) {
-    view.camera.camera.pixels_per_unit *= times;
-    view.camera.camera.focal_length *= times;
-    view.camera.principal_point *= times;
-    for (Polyline& line : view.contours)
-      for (Vec2& p : line.points) p *= times;
-    view.outline = outline_of(view.contours);
-  }
-  return part;
 }
 
 Image scaled(const Image& picture, double times) {

@@ -16,11 +16,17 @@ inline constexpr double kWorkingSize = 300;
 inline constexpr double kEnoughPixels = 4e6;  // as many as the texture has texels
 inline constexpr int kMostEnlarged = 16, kMostShrunk = 16;
 
-// The document, a part's views or a picture, as if drawn `times` times as large: the same poses and
+// How many times as large calibration and surfaces take the drawings, which know outlines alone: a
+// power of two, so that the largest figure is kShapeSize to twice as many pixels wide or high. It
+// costs no digit: drawings that differ in size by a power of two give the same poses and surfaces
+// to the bit. 1 where nothing is outlined.
+double shape_scale(const Document& document);
+inline constexpr double kShapeSize = 375;
+
+// The document or a picture, as if drawn `times` times as large: the same poses and
 // units, more pixels or fewer. Pictures grow by repeating pixels, so that their edges stay as sharp
 // as they are, and shrink to the mean of the pixels that become one.
 Document scaled(Document document, double times);
-Part scaled(Part part, double times);              // mirrors as they are
 Image scaled(const Image& picture, double times);  // times or 1 / times whole
 
 }  // namespace artisketch

@@ -206,10 +206,10 @@ TEST(Frames, AFiguresSizeInADrawingGrowsAboutItsRoot) {
 TEST(Frames, OutlinesOfADrawingWithoutAPoseSayNothing) {
   Document document = with_second_drawing();
   document = with_contour(document, 1, {0, circle({200, 200}, 50), ""});
-  EXPECT_EQ(with_posed_contours(document).frames[1].contours.size(), 1u) << "there are no others";
+  EXPECT_EQ(with_shaping_contours(document).frames[1].contours.size(), 1u) << "there are no others";
   document = with_contour(document, 0, {0, circle({200, 200}, 50), ""});
-  EXPECT_TRUE(with_posed_contours(document).frames[1].contours.empty());
-  EXPECT_EQ(with_posed_contours(with_frame_posed(document, 1)).frames[1].contours.size(), 1u);
+  EXPECT_TRUE(with_shaping_contours(document).frames[1].contours.empty());
+  EXPECT_EQ(with_shaping_contours(with_frame_posed(document, 1)).frames[1].contours.size(), 1u);
 }
 
 TEST(Frames, TheOtherCameraShowsDepthZeroAsLarge) {

@@ -203,6 +203,21 @@ TEST(DocumentFile, WhoPosedADrawingIsKept) {
     EXPECT_FALSE(parse_document(spoilt("\"pose\":", wrong), "F")) << wrong;
 }
 
+TEST(DocumentFile, WhatAPartIsIsKept) {
+  const std::string held =
+      spoilt(R"("parts": { "body": { "fatness": 1.5 } })",
+             R"("parts": { "arm.L": { "role": "held" }, "arm.R": { "role": "apart" } })");
+  const Result<Document> read = parse_document(held, "F");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(role_of(*read, 0), Role::body);
+  EXPECT_EQ(role_of(*read, 1), Role::held);
+  EXPECT_EQ(role_of(*read, 2), Role::apart);
+  const Result<Document> again = parse_document(document_text(*read), "F");
+  ASSERT_TRUE(again);
+  EXPECT_EQ(role_of(*again, 1), Role::held);
+  EXPECT_EQ(role_of(*again, 2), Role::apart);
+}
+
 TEST(DocumentFile, AMotionsJointsAreMappedInOrder) {
   const std::string with = spoilt(
       "\"animations\":",
@@ -319,6 +334,8 @@ TEST(DocumentFile, AFaultSaysWhereAndWhatWouldBeRight) {
                "/spheres/body/radius: is 0; should be a number from 1e-9 to 1e9");
   expect_fault("\"fatness\": 1.5", "\"fatness\": 11",
                "/parts/body/fatness: is 11; should be a number above 0, at most 10");
+  expect_fault("\"fatness\": 1.5", "\"role\": \"hat\"",
+               R"(/parts/body/role: is "hat"; should be "body", "held" or "apart")");
   expect_fault(
       "\"time\": 2", "\"time\": 0",
       "/animations/0/keys/1/time: is 0, not after the key before (0); times should increase");

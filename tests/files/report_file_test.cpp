@@ -52,12 +52,14 @@ TEST(ReportFile, ARunTellsStagesFitsAndCalibration) {
   result.stages = {{"hull", 0.5, {{"cells", 1000000}, {"vertices", 8000}}}, {"skin", 0.25, {}}};
   result.fits.resize(2);
   result.fits[0] = {0.97, {{0, 1.5}, {1, std::numeric_limits<double>::quiet_NaN()}}};
+  result.coloured = {0.75, 0.25};
   result.calibration = some_calibration();
   result.warnings = {"'hips' was seen once"};
   const auto report = nlohmann::json::parse(report_text(two_frames(), result));
   EXPECT_EQ(report["document"], "two");
   EXPECT_EQ(report["stages"][0]["stage"], "hull");
   EXPECT_EQ(report["stages"][0]["seconds"], 0.5);
+  EXPECT_EQ(report["frames"][1]["coloured"], 0.25);
   EXPECT_EQ(report["stages"][0]["sizes"]["cells"], 1000000);
   ASSERT_EQ(report["frames"].size(), 2u);
   EXPECT_EQ(report["frames"][0]["frame"], "front");

@@ -41,6 +41,24 @@ TEST(WorkingScale, EnlargesSmallFiguresByAPowerOfTwo) {
   EXPECT_EQ(working_scale({}), 1);
 }
 
+TEST(WorkingScale, ShapesAreTakenFromOneOctaveOfSizes) {
+  const Document document = small_drawings();
+  const double times = shape_scale(document);
+  EXPECT_EQ(std::exp2(std::round(std::log2(times))), times);
+  double largest = 0;
+  for (const Frame& frame : document.frames) {
+    Box2 box;
+    for (const Contour& contour : frame.contours)
+      for (const Vec2& p : contour.line.points) box.extend(p);
+    largest = std::max(largest, box.sizes().maxCoeff());
+  }
+  EXPECT_GE(times * largest, kShapeSize);
+  EXPECT_LT(times * largest, 2 * kShapeSize);
+  for (const double by : {0.5, 2.0, 8.0, 64.0})
+    EXPECT_EQ(shape_scale(scaled(document, by)), times / by);
+  EXPECT_EQ(shape_scale({}), 1);
+}
+
 TEST(WorkingScale, AnEnlargedDocumentShowsTheSameInMorePixels) {
   const Document document = small_drawings(), large = scaled(document, 4);
   const FrameCamera before = frame_camera(document, 1), after = frame_camera(large, 1);
@@ -121,6 +139,45 @@ TEST(WorkingScale, DrawingsOfAnySizeGiveTheSameModel) {
     }
     EXPECT_EQ(made->model.mesh.V, first->mesh.V) << times;
     EXPECT_EQ(made->model.texture->rgba, first->texture->rgba) << times;
+  }
+}
+
+// Drawn larger or smaller by powers of two the same drawings say the same, bit for bit: their poses
+// as calibration finds them and all of the surface; and they paint the same shares of it.
+TEST(WorkingScale, SizesOfDrawingsChangeNoPoseAndNoSurface) {
+  const figures::Figure figure = figures::human(2);
+  constexpr int kSize = 128;
+  const Camera camera = figures::fitting_camera(figure, Camera::Type::orthographic, kSize, kSize);
+  figures::Noise noise;
+  noise.pose_error_degrees = 10;
+  const Document given =
+      figures::draw(figure, figures::random_views(figure, 2, 3), camera, kSize, kSize, noise).given;
+  PipelineOptions options;
+  options.grid = 24;
+  options.triangles = 2000;
+  artisketch::Run run;
+  std::optional<Reconstruction> first;
+  for (const int times : {1, 4, 16}) {
+    const Document drawn = scaled(given, times);
+    const std::vector<Image> drawings(2, scaled(stripes(kSize, kSize), times));
+    options.drawings = drawings;
+    Result<Reconstruction> made = reconstruct(drawn, options, run);
+    ASSERT_TRUE(made);
+    ASSERT_EQ(made->coloured.size(), 2u);
+    EXPECT_GT(made->coloured[0] + made->coloured[1], 0.3) << times;
+    if (!first) {
+      first = std::move(*made);
+      continue;
+    }
+    for (std::size_t p = 0; p < first->parts.size(); ++p)
+      EXPECT_EQ(made->parts[p].mesh.V, first->parts[p].mesh.V) << times;
+    for (int f = 0; f < 2; ++f) {
+      EXPECT_TRUE(same_pose(made->calibrated.frames[f].pose, first->calibrated.frames[f].pose))
+          << times;
+      EXPECT_NEAR(made->coloured[f], first->coloured[f], 0.05) << times << ", frame " << f;
+    }
+    EXPECT_NEAR(made->calibration->energy_after, times * times * first->calibration->energy_after,
+                1e-9 * times * times * first->calibration->energy_after);
   }
 }
 

@@ -66,9 +66,9 @@ void keep_in_view(App& app, const Model& model) {
 
 // What the parts are wanted of.
 Document wanted(const App& app) {
-  return with_posed_contours(app.session.live.at_built_poses
-                                 ? with_poses_of(app.document(), app.session.built->document)
-                                 : app.document());
+  return with_shaping_contours(app.session.live.at_built_poses
+                                   ? with_poses_of(app.document(), app.session.built->document)
+                                   : app.document());
 }
 
 void take_proposals(App& app, long revision) {

@@ -9,6 +9,7 @@
 #include "model/calibrate/calibration_words.h"
 #include "model/calibrate/ray_residuals.h"
 #include "model/one_order.h"
+#include "model/working_scale.h"
 
 namespace artisketch {
 namespace {
@@ -119,9 +120,9 @@ Result<Calibration> calibrate_by(Method method, const Document& document, Run& r
   return calibrate_rays(document, run);
 }
 
-// Of a document whose outlines and joints are in one order.
+// Of a document whose outlines and joints are in one order, drawn `scale` times as large as given.
 Result<Calibration> calibrate_ordered(const Document& document, const CalibrateOptions& options,
-                                      Run& run) {
+                                      double scale, Run& run) {
   Calibration result = unmoved(document);
   const RayResiduals rays = rays_to_compare(document);
   const std::vector<Coverage> before = coverage(document, rays, result.poses, result.scales);
@@ -143,7 +144,7 @@ Result<Calibration> calibrate_ordered(const Document& document, const CalibrateO
           "yours: they stay");
     }
     result = std::move(*found);
-    explain(document, rays, after, result);
+    explain(document, rays, after, scale, result);
   }
   for (std::size_t i = 0; i < before.size(); ++i)
     result.coverage.push_back({before[i].joint, before[i].frame, before[i].share, after[i].share});
@@ -155,9 +156,13 @@ Result<Calibration> calibrate_ordered(const Document& document, const CalibrateO
 Result<Calibration> calibrate(const Document& document, const CalibrateOptions& options, Run& run) {
   fix_blocking();
   const std::vector<int> order = joints_in_one_order(document.skeleton);
+  const Document drawn = with_shaping_contours(document);
+  const double scale = shape_scale(drawn);
   Result<Calibration> found = calibrate_ordered(
-      in_one_order(with_joints_in(with_posed_contours(document), order)), options, run);
+      in_one_order(with_joints_in(scaled(drawn, scale), order)), options, scale, run);
   if (!found) return found.error();
+  found->energy_before /= scale * scale;
+  found->energy_after /= scale * scale;
   return with_joints_in(std::move(*found), inverse(order));
 }
 

@@ -105,7 +105,8 @@ Vec3 direction_of(const RayResiduals::Part& part, const RayResiduals::View& view
 // Two views of a part share one axis, across both directions: along it they must show it alike.
 // The words for the frame in which a part differs most from the one given.
 std::string differing_most(const Document& document, const RayResiduals::Part& part,
-                           const RayResiduals::View& view, const Placement& placement) {
+                           const RayResiduals::View& view, const Placement& placement,
+                           double scale) {
   double most = 0;
   std::string words;
   const Vec3 d = direction_of(part, view, placement);
@@ -120,19 +121,20 @@ std::string differing_most(const Document& document, const RayResiduals::Part& p
     const double length = high - low, other_length = other_high - other_low;
     const double differ = std::abs(length - other_length) / std::max(length, other_length);
     const Vec3 middle = placement.posed[view.frame][part.joint] * part.middle(placement);
-    words =
-        " cannot agree with " + frame_words(document, other.frame) + ": its contours " +
-        (differ > kOtherLength
-             ? "differ by " + rounded(100 * differ) + " % in length"
-             : "stand " + rounded(off * placement.cameras[view.frame].pixels_per_unit(middle.z())) +
-                   " px apart") +
-        "; redraw one of them, or check the joint's poses";
+    words = " cannot agree with " + frame_words(document, other.frame) + ": its contours " +
+            (differ > kOtherLength
+                 ? "differ by " + rounded(100 * differ) + " % in length"
+                 : "stand " +
+                       rounded(off * placement.cameras[view.frame].pixels_per_unit(middle.z()) /
+                               scale) +
+                       " px apart") +
+            "; redraw one of them, or check the joint's poses";
   }
   return words;
 }
 
 void name_contradictions(const Document& document, const RayResiduals& rays,
-                         std::span<const Coverage> after, Calibration& result) {
+                         std::span<const Coverage> after, double scale, Calibration& result) {
   const Placement placement = placed(document, result.poses, result.scales);
   for (const RayResiduals::Part& part : rays.parts()) {
     // One line per part: where it misses most.
@@ -146,11 +148,11 @@ void name_contradictions(const Document& document, const RayResiduals& rays,
           most = one.miss;
         }
     if (!worst) continue;
-    const std::string words = differing_most(document, part, *worst, placement);
+    const std::string words = differing_most(document, part, *worst, placement, scale);
     result.warnings.push_back(
         frame_words(document, worst->frame) + ": " + quoted(document, part.joint) +
         (words.empty() ? " cannot agree with the other frames: its contour misses them by " +
-                             rounded(most) + " px; redraw it, or check the joint's poses"
+                             rounded(most / scale) + " px; redraw it, or check the joint's poses"
                        : words));
   }
 }
@@ -227,10 +229,10 @@ void name_open_angles(const Document& document, const RayResiduals& rays, Calibr
 }  // namespace
 
 void explain(const Document& document, const RayResiduals& rays, std::span<const Coverage> after,
-             Calibration& result) {
+             double scale, Calibration& result) {
   measure_changes(document, result);
   name_sizes(document, rays, result);
-  name_contradictions(document, rays, after, result);
+  name_contradictions(document, rays, after, scale, result);
   name_open_angles(document, rays, result);
 }
 

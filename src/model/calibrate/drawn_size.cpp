@@ -10,6 +10,7 @@
 
 #include "document/place_words.h"
 #include "model/calibrate/calibration_words.h"
+#include "model/working_scale.h"
 
 namespace artisketch {
 namespace {
@@ -131,7 +132,8 @@ std::vector<std::string> drawn_size_words(const Document& document,
 }
 
 std::vector<double> offered_scales(const Document& whole) {
-  const Document document = with_posed_contours(whole);
+  Document document = with_shaping_contours(whole);
+  document = scaled(document, shape_scale(document));
   std::vector<double> scales;
   std::vector<Pose> poses;
   for (const Frame& frame : document.frames) {

@@ -11,6 +11,7 @@
 
 #include "base/trigonometry.h"
 #include "model/calibrate/ray_residuals.h"
+#include "model/working_scale.h"
 
 namespace artisketch {
 namespace {
@@ -87,7 +88,8 @@ const char* trust_word(Trust trust) {
   return trust == Trust::good ? "good" : trust == Trust::doubtful ? "doubtful" : "guess";
 }
 
-UnseenSides unseen_sides(const Document& document) {
+UnseenSides unseen_sides(const Document& given) {
+  const Document document = scaled(given, shape_scale(given));
   UnseenSides out;
   std::vector<Pose> poses;
   std::vector<double> scales;

@@ -191,6 +191,14 @@ void keep_own(const Frame& frame, const std::vector<Holders>& holders, const Par
     if (!own[p] || taken[p]) o.figure.in[p] = 0;
 }
 
+// Things held before the body paint nothing but themselves, wherever the model has them.
+void keep_what_isnt_held(const std::vector<Holders>& holders, std::span<const int> held,
+                         Overlay& o) {
+  for (std::size_t p = 0; p < held.size(); ++p)
+    if (held[p] >= 0 && o.seen.face[p] >= 0 && !holders[o.seen.face[p]].has(held[p]))
+      o.figure.in[p] = 0;
+}
+
 // Pixels from each pixel of the model to the nearest outline of what is drawn of it, 0 where
 // nothing is: chamfer distances (Borgefors 1986).
 std::vector<float> outline_distances(const Overlay& o) {
@@ -225,21 +233,22 @@ std::vector<float> outline_distances(const Overlay& o) {
 
 // How far, in pixels, the ink along outlines reaches into the model: to where the drawing is, on
 // average, nearly as bright as farther in.
-float ink_width(const Overlay& o, const std::vector<float>& distance) {
-  constexpr int kBins = 24;
+float ink_width(const Overlay& o, const std::vector<float>& distance, int fine) {
+  constexpr int kWidest = 24;  // times `fine`
+  const int bins = kWidest * fine;
   constexpr double kAsBright = 0.85;
-  std::array<double, kBins> light = {}, count = {};
+  std::vector<double> light(bins, 0.0), count(bins, 0.0);
   for (std::size_t p = 0; p < distance.size(); ++p) {
-    if (o.seen.face[p] < 0 || !o.figure.in[p] || distance[p] >= kBins) continue;
+    if (o.seen.face[p] < 0 || !o.figure.in[p] || distance[p] >= float(bins)) continue;
     light[std::size_t(distance[p])] += lightness(pixel_at(o.picture, p));
     count[std::size_t(distance[p])] += 1;
   }
   double within = 0, pixels = 0;
-  for (int b = kBins / 3; b < kBins; ++b) within += light[b], pixels += count[b];
+  for (int b = bins / 3; b < bins; ++b) within += light[b], pixels += count[b];
   int b = 0;
-  while (b < kBins / 3 && light[b] * pixels < kAsBright * within * count[b]) ++b;
+  while (b < bins / 3 && light[b] * pixels < kAsBright * within * count[b]) ++b;
   // The drawn line and the model's outline are a pixel apart here and there.
-  return float(b) + 1.5f;
+  return float(b) + 1.5f * float(fine);
 }
 
 // Spreads colours to the pixels of the model that have none, without crossing an outline, so many
@@ -392,13 +401,14 @@ bool only_parts_colours(const Overlay& o, const std::vector<Pixel>& colour,
 
 void fill_colours(const Frame& frame, const Image& picture, const Triangles& F,
                   const std::vector<Holders>& holders, const PartColours& colours, Visible seen,
-                  double pixel, Sketch& sketch) {
+                  std::span<const int> held, double pixel, int fine, Sketch& sketch) {
   Overlay o = overlay_of(picture, figure_mask(frame, picture), F, std::move(seen), pixel);
   keep_own(frame, holders, colours, o);
+  keep_what_isnt_held(holders, held, o);
   sketch.width = frame.width;
   sketch.height = frame.height;
   const std::vector<float> distance = outline_distances(o);
-  const float ink = ink_width(o, distance);
+  const float ink = ink_width(o, distance, fine);
   sketch.colour.assign(distance.size(), Pixel{});
   sketch.state.assign(distance.size(), Sketch::nothing);
   // The middle of what is thinner than two lines of ink is still its best colour.
@@ -418,7 +428,7 @@ void fill_colours(const Frame& frame, const Image& picture, const Triangles& F,
       sketch.state[p] = Sketch::drawn;
     }
   // Over the ink, on the slant, and what the model and the drawing differ by.
-  const int reach = int(1.5f * ink) + kBeyondInk;
+  const int reach = int(1.5f * ink) + kBeyondInk * fine;
   spread(o, reach, sketch.colour, sketch.state);
   sketch.plain = sketch.colour;
   std::vector<std::uint8_t> state = sketch.state;

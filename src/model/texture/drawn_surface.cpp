@@ -6,7 +6,9 @@
 #include <set>
 
 #include "model/texture/drawn_colours.h"
+#include "model/texture/props.h"
 #include "model/texture/tones.h"
+#include "model/working_scale.h"
 
 namespace artisketch {
 namespace {
@@ -211,6 +213,8 @@ Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const I
   double finest = 0;
   for (int f = 0; f < int(calibrated.frames.size()); ++f)
     finest = std::max(finest, frame_camera(calibrated, f).pixels_per_unit(0));
+  // What is meant in pixels is meant of figures of the size that is worked on.
+  const int fine = std::max(1, int(1 / shape_scale(calibrated)));
   out.palette = palette_of(calibrated, drawings);
   PartColours colours(model.skeleton);
   for (int f = 0; f < int(drawings.size()) && f < int(calibrated.frames.size()); ++f)
@@ -223,7 +227,7 @@ Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const I
     if (drawings[f].width != frame.width || drawings[f].height != frame.height) continue;
     if (run.cancelled()) return cancelled();
     const FrameCamera camera = frame_camera(calibrated, f);
-    const double pixel = 1 / camera.pixels_per_unit(frame.pose.root_position.z());
+    const double pixel = fine / camera.pixels_per_unit(frame.pose.root_position.z());
     Points3 V = posed_vertices(model.mesh.V, model.weights, model.skeleton, frame.pose);
     SurfaceView view;
     view.sketch = int(out.sketches.size());
@@ -232,13 +236,14 @@ Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const I
     project(V, camera, view);
     const bool perspective = camera.camera.type == Camera::Type::perspective;
     Sketch& sketch = out.sketches.emplace_back();
+    sketch.frame = f;
     sketch.pixel_art = !out.palette.empty();
     fill_colours(frame, drawings[f], F, *holders, colours,
                  raster_triangles(
                      view.pixels, view.depth,
                      perspective ? std::span<const double>(view.depth) : std::span<const double>(),
                      F, frame.width, frame.height),
-                 pixel, sketch);
+                 held_things(calibrated, f), pixel, fine, sketch);
     judge(V, F, camera, sketch, finest, view);
     out.views.push_back(view);
 

@@ -35,6 +35,7 @@ std::vector<Holders> holders_of(const Triangles& F, const Weights& weights);
 
 // A drawing with the model laid over it in the drawing's own pose.
 struct Sketch {
+  int frame = 0;
   int width = 0, height = 0;
   bool pixel_art = false;    // its pixels are squares of one colour: none is mixed with another
   std::vector<float> depth;  // of the model before the camera, units; +infinity beside it

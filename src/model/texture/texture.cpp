@@ -2,6 +2,7 @@
 // into each other where they meet, and what none shows takes the colours of its own part.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/raster.h"
 #include "model/texture/atlas.h"
@@ -226,10 +227,28 @@ Image paint(const Atlas& atlas, const FaceNeighbours& neighbours, Painter painte
   return picture;
 }
 
+// Per frame, the share of the surface that its drawing paints, as it is or mirrored.
+std::vector<double> shares_of(const Mesh& mesh, const std::vector<int>& chosen,
+                              const DrawnSurface& surface, std::size_t frames) {
+  std::vector<double> shares(frames, 0.0);
+  double all = 0;
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    const Vec3 a = mesh.V.row(mesh.F(f, 0)), b = mesh.V.row(mesh.F(f, 1)),
+               c = mesh.V.row(mesh.F(f, 2));
+    const double area = (b - a).cross(c - a).norm();
+    all += area;
+    if (chosen[f] < 0) continue;
+    const SurfaceView& view = surface.views[chosen[f]];
+    shares[surface.sketches[view.sketch].frame] += area;
+  }
+  for (double& share : shares) share /= std::max(all, std::numeric_limits<double>::min());
+  return shares;
+}
+
 }  // namespace
 
 Result<Model> textured(const Document& calibrated, std::span<const Image> drawings,
-                       const Model& model, Run& run) {
+                       const Model& model, Run& run, std::vector<double>* shares) {
   const std::vector<Image> laid = laid_on_paper(drawings);
   if (!laid.empty()) drawings = laid;
   Result<DrawnSurface> surface = drawn_surface(calibrated, drawings, model, run);
@@ -238,6 +257,7 @@ Result<Model> textured(const Document& calibrated, std::span<const Image> drawin
   keep_details_once(model.mesh, neighbours, *surface);
   const std::vector<int> chosen = choose_views(model.mesh, neighbours, *surface);
   if (std::all_of(chosen.begin(), chosen.end(), [](int view) { return view < 0; })) return model;
+  if (shares) *shares = shares_of(model.mesh, chosen, *surface, calibrated.frames.size());
   if (run.cancelled()) return cancelled();
   run.report(0.7);
   const Adjacency beside = vertex_adjacency(model.mesh);
