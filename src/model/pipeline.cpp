@@ -9,6 +9,7 @@
 #include "base/blocking.h"
 #include "base/words.h"
 #include "document/place_words.h"
+#include "model/calibrate/bends.h"
 #include "model/one_order.h"
 #include "model/rig/snap_rims.h"
 #include "model/stage_clock.h"
@@ -183,6 +184,7 @@ Result<Reconstruction> reconstruct_ordered(const Document& document, const Pipel
   std::vector<Part> parts = parts_of(drawn);
   name_specks(posed, parts, out.warnings);
   warn_of_one_side(posed, parts, out.warnings);
+  for (const Bend& bend : bends_of(parts)) out.warnings.push_back(bend_words(posed, bend));
   if (options.mirror) add_mirrored_views(drawn, parts);
   double cells = 0, part_vertices = 0;
   for (std::size_t p = 0; p < parts.size(); ++p) {
