@@ -751,6 +751,33 @@ TEST_F(Outline, WhatIsOutlinedIsNotHidden) {
   expect_nothing_happened();
 }
 
+TEST_F(Outline, AThingBeforeTheBodyIsMarkedAsSuch) {
+  choose("hand.R");
+  h.click("Held thing");
+  EXPECT_EQ(role_of(h.document(), joint(h, "hand.R")), Role::held);
+  EXPECT_TRUE(h.active("Held thing"));
+  expect_step("Hand R is held");
+  h.click("Not of it");
+  EXPECT_EQ(role_of(h.document(), joint(h, "hand.R")), Role::apart);
+  EXPECT_FALSE(h.active("Held thing"));
+  EXPECT_EQ(h.state().undo, "Hand R is no part of the figure");
+  h.click("Not of it");
+  EXPECT_EQ(h.state().undo, "Hand R is a part of the figure");
+  EXPECT_EQ(role_of(h.document(), joint(h, "hand.R")), Role::body);
+}
+
+TEST_F(Outline, AThingThatIsHeldIsAPartOfItsOwn) {
+  h.click(on_screen(h, lowest(outline(h, "hand.R"))), ImGuiMouseButton_Right);
+  ASSERT_NE(h.find("New held thing"), nullptr);
+  h.click("New held thing");
+  const int thing = joint(h, "thing");
+  ASSERT_GE(thing, 0);
+  EXPECT_EQ(h.document().skeleton.joints[std::size_t(thing)].parent, joint(h, "hand.R"));
+  EXPECT_EQ(role_of(h.document(), thing), Role::held);
+  expect_step("Thing held by Hand R");
+  EXPECT_NE(h.find("Thing"), nullptr) << "in the list of parts";
+}
+
 TEST_F(Outline, TheMenuOfAnOutlineDoesTheSame) {
   h.click(on_screen(h, lowest(outline(h, "hand.R"))), ImGuiMouseButton_Right);
   ASSERT_NE(h.find("Mirror"), nullptr);

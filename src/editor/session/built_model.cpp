@@ -53,6 +53,7 @@ Result<BuiltModel> built_from(const std::string& glb, const std::string& documen
       made_from->frames[f].pose = poses[f];
   BuiltModel built = built_of(std::move(*model), std::move(*made_from));
   built.glb = glb;
+  built.unseen_sides = unseen_sides(with_shaping_contours(built.document));
   return built;
 }
 

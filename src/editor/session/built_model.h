@@ -7,6 +7,7 @@
 
 #include "document/document.h"
 #include "editor/pictures/model_picture.h"
+#include "model/calibrate/unseen_sides.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -15,6 +16,7 @@ struct BuiltModel {
   Model model;
   Document document;  // at the poses that the model was made from
   std::vector<FrameFit> fits;
+  UnseenSides unseen_sides;  // how well it will hold from there
   std::vector<std::string> warnings;
   std::string glb;
   Document source;                   // that it was made from

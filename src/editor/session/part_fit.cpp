@@ -43,7 +43,10 @@ bool is_inside(const App& app, int joint, int frame) {
 
 Fit fit_of(const App& app, int joint, int frame) {
   const Frame& drawing = app.document().frames[std::size_t(frame)];
-  if (is_hidden(drawing, joint)) return Fit::hidden;
+  // A thing is held in one drawing and gone in the next: nobody misses it.
+  const bool thing = role_of(app.document(), joint) != Role::body;
+  if (is_hidden(drawing, joint) || (thing && contours_of(drawing, joint).empty()))
+    return Fit::hidden;
   for (const Contour& contour : drawing.contours)
     if (contour.joint == joint)
       return is_inside(app, joint, frame)            ? Fit::inside
@@ -78,6 +81,20 @@ std::string fit_in_words(const App& app, int joint, int frame) {
     case Fit::outlined:
       return "Outlined in " + name;
   }
+  return "";
+}
+
+std::string trust_in_words(const App& app, int joint) {
+  const bool known = app.session.built && !app.session.built->fits.empty() &&
+                     (app.view.mode == Mode::result || app.session.as_built());
+  if (!known) return "";
+  const UnseenSides& sides = app.session.built->unseen_sides;
+  const auto words = [](Trust trust) {
+    return std::string("From sides not drawn: ") + trust_word(trust);
+  };
+  if (joint < 0) return words(sides.whole);
+  for (const PartTrust& part : sides.parts)
+    if (part.joint == joint) return words(part.trust);
   return "";
 }
 

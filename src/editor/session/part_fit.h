@@ -15,6 +15,11 @@ Fit fit_of(const App& app, int joint, int frame);
 // "Missing in Side", "24 px off in Back"
 std::string fit_in_words(const App& app, int joint, int frame);
 
+// How well the model's part will hold from sides that no drawing shows, which the fit doesn't say:
+// "From sides not drawn: doubtful"; of the whole for −1. Nothing where there is no model of what is
+// drawn.
+std::string trust_in_words(const App& app, int joint);
+
 struct PartCount {
   int outlined = 0, off = 0, all = 0;  // all: that are to be outlined
 };

@@ -158,6 +158,7 @@ void model_foot(App& app, const Rect& band) {
   for (int joint : drawn_joints(app.document()))
     if (app.has_frame() && fit_of(app, joint, app.session.selection.frame) == Fit::off) ++off;
   std::string words;
+  std::string trust;
   bool good = true;
   if (app.view.mode == Mode::result && app.session.stale()) {
     words = "Changed since the model was made.";
@@ -167,6 +168,7 @@ void model_foot(App& app, const Rect& band) {
             std::to_string(built.model.skeleton.size()) +
             (built.model.skeleton.size() == 1 ? " joint" : " joints") +
             (built.model.texture ? ", 1 texture" : "");
+    trust = trust_in_words(app, -1);
   } else if (off > 0) {
     words = std::to_string(off) +
             (off == 1 ? " part does not fit this drawing" : " parts do not fit this drawing");
@@ -188,6 +190,10 @@ void model_foot(App& app, const Rect& band) {
              good ? icon::kCheck : icon::kAlert);
   row.cut_left(18);
   write(row, Font::caption, good ? t.muted : t.warning, words);
+  row.cut_left(text_width(Font::caption, words) + 16);
+  if (trust.empty() || text_width(Font::caption, trust) > row.w) return;
+  record(trust, row);
+  write(row, Font::caption, t.muted, trust);
 }
 
 // What Result's tool in hand does with the pointer, and shows; gives whether it has the pointer,

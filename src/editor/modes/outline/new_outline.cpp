@@ -18,6 +18,18 @@ void find_candidates(const App& app, NewOutline& fresh) {
     fresh.joints.push_back(candidate.joint);
     fresh.reasons.push_back(std::move(candidate.reason));
   }
+  // A thing that was chosen to be drawn is no bone's, wherever it lies.
+  const int chosen = app.session.selection.joint;
+  if (chosen >= 0 && role_of(app.document(), chosen) != Role::body &&
+      contours_of(app.document().frames[std::size_t(fresh.frame)], chosen).empty()) {
+    const auto known = std::find(fresh.joints.begin(), fresh.joints.end(), chosen);
+    if (known != fresh.joints.end()) {
+      fresh.reasons.erase(fresh.reasons.begin() + (known - fresh.joints.begin()));
+      fresh.joints.erase(known);
+    }
+    fresh.joints.insert(fresh.joints.begin(), chosen);
+    fresh.reasons.insert(fresh.reasons.begin(), "the thing chosen");
+  }
   if (fresh.joints.empty()) fresh.joints = {0}, fresh.reasons = {"the only joint"};
   fresh.choice = 0;
 }

@@ -1,6 +1,7 @@
 // Outline: what can be done to the chosen outline, or to a new one before it is kept.
 #include "document/edit.h"
 #include "document/outline_edit.h"
+#include "document/skeleton_edit.h"
 #include "editor/canvas/pointer.h"
 #include "editor/modes/mode_commands.h"
 #include "editor/modes/outline/copy_to.h"
@@ -99,6 +100,38 @@ void mirror(App& app) {
   app.session.commit("Mirror " + name, std::move(*next));
   selection.contour = int(app.frame().contours.size()) - 1;
   selection.joint = app.frame().contours.back().joint;
+}
+
+// ---------------------------------------------------------------- things
+
+template <Role role>
+bool chosen_is(const App& app) {
+  return is_chosen(app) && role_of(app.document(), chosen(app).joint) == role;
+}
+
+// Or a part of the body again.
+template <Role role>
+void make(App& app) {
+  const int joint = chosen(app).joint;
+  const Role next = chosen_is<role>(app) ? Role::body : role;
+  const char* words = next == Role::held    ? " is held"
+                      : next == Role::apart ? " is no part of the figure"
+                                            : " is a part of the figure";
+  app.session.commit(part_words(app, joint) + words, with_role(app.document(), joint, next));
+}
+
+bool can_hold(const App& app) {
+  return app.has_frame() && app.session.selection.joint >= 0 && !app.session.new_outline;
+}
+
+// To be drawn next.
+void hold_thing(App& app) {
+  const int joint = app.session.selection.joint;
+  app.session.commit("Thing held by " + part_words(app, joint),
+                     with_thing_added(app.document(), joint));
+  app.session.selection.joint = app.document().skeleton.size() - 1;
+  app.session.selection.contour = -1;
+  app.take_up(Mode::outline, "draw");
 }
 
 // ---------------------------------------------------------------- several at once
@@ -310,6 +343,28 @@ std::vector<Command> commands_of_copies_and_order() {
   };
 }
 
+std::vector<Command> commands_of_things() {
+  return {
+      {.id = "held",
+       .name = "Held thing",
+       .about = "Held before the body, a part of its own: its pixels paint nothing else",
+       .available = is_chosen,
+       .on = chosen_is<Role::held>,
+       .run = make<Role::held>},
+      {.id = "apart",
+       .name = "Not of it",
+       .about = "No part of the figure: it makes no surface, and its pixels paint nothing",
+       .available = is_chosen,
+       .on = chosen_is<Role::apart>,
+       .run = make<Role::apart>},
+      {.id = "hold_thing",
+       .name = "New held thing",
+       .about = "A part of its own that the chosen one holds, to be outlined next",
+       .available = can_hold,
+       .run = hold_thing},
+  };
+}
+
 std::vector<Command> commands_of_several() {
   return {
       {.id = "choose_all",
@@ -369,6 +424,7 @@ Command nudging(const char* id, const char* name, ImGuiKey key, const char* word
 std::vector<Command> outline_commands() {
   std::vector<Command> all = commands_of_whose_and_how();
   for (Command& command : commands_of_copies_and_order()) all.push_back(std::move(command));
+  for (Command& command : commands_of_things()) all.push_back(std::move(command));
   for (Command& command : all) command.in_menu = true;
   for (Command& command : commands_of_several()) all.push_back(std::move(command));
   all.push_back(

@@ -60,10 +60,15 @@ std::string about(const Polyline& line) {
          " points";
 }
 
-void fit_line(const App& app, const Rect& row, int joint) {
-  const std::string words = fit_in_words(app, joint, app.session.selection.frame);
-  record(words, row);
-  write(row, Font::caption, theme().muted, words);
+// How the part fits here, and what to expect of it elsewhere.
+void fit_lines(const App& app, Rect& place, int joint) {
+  for (const std::string& words :
+       {fit_in_words(app, joint, app.session.selection.frame), trust_in_words(app, joint)}) {
+    if (words.empty()) continue;
+    const Rect row = place.cut_top(22).inset(16, 0);
+    record(words, row);
+    write(row, Font::caption, theme().muted, words);
+  }
 }
 
 // The chosen part has no outline in this drawing: it may not be there to be outlined.
@@ -73,7 +78,7 @@ void without_outline(App& app, Rect place) {
   place.cut_top(10);
   write(place.cut_top(28).inset(16, 0), Font::title, t.text,
         part_words(app, app.session.selection.joint));
-  fit_line(app, place.cut_top(22).inset(16, 0), app.session.selection.joint);
+  fit_lines(app, place, app.session.selection.joint);
   place.cut_top(6);
   command_button(app, "hidden_here", place.cut_top(34).inset(12, 0));
 }
@@ -120,8 +125,7 @@ void outline_panel(App& app, Rect place) {
   write(row.cut_right(text_width(Font::caption, points) + 1), Font::caption, t.muted, points);
   write(row, Font::title, t.text, fresh ? "New outline" : "Outline");
   if (!fresh)
-    fit_line(app, place.cut_top(22).inset(16, 0),
-             app.frame().contours[std::size_t(app.session.selection.contour)].joint);
+    fit_lines(app, place, app.frame().contours[std::size_t(app.session.selection.contour)].joint);
   place.cut_top(6);
   for (int i = 0; fresh && i < int(app.session.new_outline->joints.size()); ++i) {
     candidate_card(app, i, place.cut_top(44).inset(12, 0));
@@ -142,6 +146,11 @@ void outline_panel(App& app, Rect place) {
   command_button(app, "join", more.cut_left(more.w / 2 - 4));
   more.cut_left(8);
   command_button(app, "mend", more);
+  place.cut_top(8);
+  Rect whose = place.cut_top(34).inset(12, 0);
+  command_button(app, "held", whose.cut_left(whose.w / 2 - 4));
+  whose.cut_left(8);
+  command_button(app, "apart", whose);
 }
 
 }  // namespace artisketch
