@@ -1,6 +1,7 @@
 // A part's virtual cameras (the paper's section 2.1).
 #include <cmath>
 
+#include "model/calibrate/calibrate.h"
 #include "model/one_order.h"
 #include "model/stages.h"
 
@@ -38,7 +39,6 @@ PolygonDistance outline_of(const std::vector<Polyline>& contours) {
 
 std::vector<Part> parts_of(const Document& document) {
   const std::vector<Vec3> rest = rest_positions(document.skeleton);
-  const std::vector<Bone> all_bones = bones(document.skeleton);
   std::vector<std::vector<Transform>> to_world;
   for (const Frame& frame : document.frames)
     to_world.push_back(skinning_transforms(document.skeleton, frame.pose));
@@ -50,8 +50,8 @@ std::vector<Part> parts_of(const Document& document) {
     part.origin = rest[joint];
     if (const auto it = document.parts.find(joint); it != document.parts.end())
       part.fatness = it->second.fatness;
-    for (const Bone& bone : all_bones)
-      if (bone.joint == joint) part.bones.push_back(bone);
+    for (const int end : ends_of_bones(document, joint))
+      part.bones.push_back({joint, end, rest[joint], rest[end]});
     for (int f = 0; f < int(document.frames.size()); ++f) {
       PartView view;
       view.contours = in_one_order(without_specks(contours_of(document.frames[f], joint)));

@@ -1,6 +1,7 @@
 // Parts that bend from drawing to drawing: no rigid part is what they show.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 

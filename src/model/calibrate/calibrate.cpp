@@ -48,10 +48,16 @@ std::vector<std::vector<char>> shared_contours(const Document& document) {
   return shared;
 }
 
-Vec3 middle_of_bones(const Skeleton& skeleton, int joint) {
-  const std::vector<int> children = skeleton.children(joint);
+std::vector<int> ends_of_bones(const Document& document, int joint) {
+  std::vector<int> ends = document.skeleton.children(joint);
+  std::erase_if(ends, [&](int child) { return role_of(document, child) != Role::body; });
+  return ends;
+}
+
+Vec3 middle_of_bones(const Document& document, int joint) {
+  const std::vector<int> children = ends_of_bones(document, joint);
   Vec3 sum = Vec3::Zero();
-  for (const int child : children) sum += skeleton.joints[child].offset / 2;
+  for (const int child : children) sum += document.skeleton.joints[child].offset / 2;
   return children.empty() ? sum : Vec3(sum / double(children.size()));
 }
 

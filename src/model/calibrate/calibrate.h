@@ -20,9 +20,10 @@ PoseLimits pose_limits(const Document& document);
 // the two can be compared.
 std::vector<std::vector<char>> shared_contours(const Document& document);
 
-// Middle of the bones from a joint to its children, in the joint's axes; the joint itself for a
-// leaf.
-Vec3 middle_of_bones(const Skeleton& skeleton, int joint);
+// The children that a joint's bones lead to: things that it holds are none.
+std::vector<int> ends_of_bones(const Document& document, int joint);
+// Middle of a joint's bones, in the joint's axes; the joint itself where it has none.
+Vec3 middle_of_bones(const Document& document, int joint);
 
 // How well each drawn part agrees with its other drawings at given poses.
 struct Coverage {

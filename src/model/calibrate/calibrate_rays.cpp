@@ -263,7 +263,7 @@ std::optional<PoseChange> turned_out(const Document& document, const RayResidual
   Outward joint(document, residuals, freedom, prior, from, where.joint, run);
   const Vec3 now = from[where.frame].rotation[where.joint];
   const Mat3 axes = joint.at(from).posed[where.frame][where.joint].linear();
-  const Vec3 bone = middle_of_bones(document.skeleton, where.joint);
+  const Vec3 bone = middle_of_bones(document, where.joint);
   for (const Vec3& rotation : turned(now, axes, bone, freedom.max_rotation)) {
     PoseChange start = from;
     start[where.frame].rotation[where.joint] = rotation;

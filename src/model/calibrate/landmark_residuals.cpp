@@ -74,14 +74,14 @@ bool all_in_front(const RayResiduals::Part& part, const Placement& placement, co
 
 }  // namespace
 
-double landmark_energy(const RayResiduals& residuals, const Skeleton& skeleton,
+double landmark_energy(const RayResiduals& residuals, const Document& document,
                        const Placement& placement, const LandmarkLoss& loss,
                        MotionSystems* systems) {
   double energy = 0;
   if (loss.centroid <= 0) return energy;
   for (std::size_t number = 0; number < residuals.parts().size(); ++number) {
     const RayResiduals::Part& part = residuals.parts()[number];
-    const bool has_bone = !skeleton.children(part.joint).empty();
+    const bool has_bone = !ends_of_bones(document, part.joint).empty();
     const double pull = has_bone ? loss.bone / (part.radius * part.radius) : 0;
     Vec3 c = part.middle(placement);
     if (!all_in_front(part, placement, c)) continue;

@@ -15,7 +15,7 @@ struct LandmarkLoss {
 
 // Energy of all parts' landmarks, each at its best place (which is projected out of the
 // derivatives); adds to systems, where not null, as RayResiduals::evaluate does.
-double landmark_energy(const RayResiduals& residuals, const Skeleton& skeleton,
+double landmark_energy(const RayResiduals& residuals, const Document& document,
                        const Placement& placement, const LandmarkLoss& loss,
                        MotionSystems* systems);
 

@@ -45,7 +45,7 @@ double PoseSolver::evaluate(const PoseChange& change, const PoseEnergy& what,
   double sum = prior_energy(change, prior_);
   if (systems) residuals_.clear(*systems, int(change.size()));
   if (what.noise > 0) sum += residuals_.evaluate(placement, what.reach, 1 / what.noise, systems);
-  return sum + landmark_energy(residuals_, document_.skeleton, placement, what.landmarks, systems);
+  return sum + landmark_energy(residuals_, document_, placement, what.landmarks, systems);
 }
 
 SolvedPoses PoseSolver::minimise(PoseChange start, const PoseEnergy& what, int most) {

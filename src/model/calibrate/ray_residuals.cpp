@@ -137,7 +137,7 @@ RayResiduals::RayResiduals(const Document& document, double step, int most) {
     Part part;
     part.joint = joint;
     part.radius = 0;
-    part.bone = middle_of_bones(document.skeleton, joint);
+    part.bone = middle_of_bones(document, joint);
     for (int f = 0; f < int(document.frames.size()); ++f) {
       if (!shared[f][joint]) continue;
       part.views.push_back(view_of(document, f, joint, unit_, step * unit_, most));

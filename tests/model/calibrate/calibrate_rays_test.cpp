@@ -146,7 +146,7 @@ TEST_P(Derivatives, OfLandmarksAreThoseOfTheirEnergy) {
   expect_same_derivatives(
       given, rays,
       [&](const Placement& p, MotionSystems* s) {
-        return landmark_energy(rays, given.skeleton, p, {100, 50}, s);
+        return landmark_energy(rays, given, p, {100, 50}, s);
       },
       1e-3);
 }

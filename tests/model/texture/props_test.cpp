@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "base/raster.h"
 #include "document/edit.h"
 #include "document/skeleton_edit.h"
 #include "figures.h"
+#include "model/stages.h"
 
 namespace artisketch {
 namespace {
@@ -103,6 +105,18 @@ TEST(Props, WhatIsNoPartOfTheFigureShapesAndPaintsNothing) {
   for (std::size_t p = 0; p < made.parts.size(); ++p)
     EXPECT_EQ(made.parts[p].mesh.V, without.parts[p].mesh.V);
   EXPECT_GT(pink_faces(without.model, with.chest), 20) << "unmarked, it would be painted on";
+}
+
+TEST(Props, NoBoneLeadsToAThing) {
+  const Carded with = carded(Role::held);
+  const Document without = *without_joint(with.document, with.card, false);
+  const std::vector<Part> parts = parts_of(with.document), bare = parts_of(without);
+  for (const Part& part : parts)
+    if (part.joint == with.chest)
+      for (const Part& other : bare)
+        if (other.joint == with.chest) {
+          EXPECT_EQ(part.bones.size(), other.bones.size());
+        }
 }
 
 TEST(Props, WhatIsHeldPaintsNothingElse) {
