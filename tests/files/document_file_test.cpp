@@ -335,7 +335,7 @@ TEST(DocumentFile, AFaultSaysWhereAndWhatWouldBeRight) {
   expect_fault("\"fatness\": 1.5", "\"fatness\": 11",
                "/parts/body/fatness: is 11; should be a number above 0, at most 10");
   expect_fault("\"fatness\": 1.5", "\"role\": \"hat\"",
-               R"(/parts/body/role: is "hat"; should be "body", "held" or "apart")");
+               R"(/parts/body/role: is 'hat'; should be "body", "held" or "apart")");
   expect_fault(
       "\"time\": 2", "\"time\": 0",
       "/animations/0/keys/1/time: is 0, not after the key before (0); times should increase");

@@ -48,6 +48,10 @@ std::vector<std::vector<char>> shared_contours(const Document& document) {
   return shared;
 }
 
+double calibration_scale(const Document& document) {
+  return std::max(1.0, shape_scale(document) / 2);
+}
+
 std::vector<int> ends_of_bones(const Document& document, int joint) {
   std::vector<int> ends = document.skeleton.children(joint);
   std::erase_if(ends, [&](int child) { return role_of(document, child) != Role::body; });
@@ -163,12 +167,10 @@ Result<Calibration> calibrate(const Document& document, const CalibrateOptions& 
   fix_blocking();
   const std::vector<int> order = joints_in_one_order(document.skeleton);
   const Document drawn = with_shaping_contours(document);
-  const double scale = shape_scale(drawn);
+  const double scale = calibration_scale(drawn);
   Result<Calibration> found = calibrate_ordered(
       in_one_order(with_joints_in(scaled(drawn, scale), order)), options, scale, run);
   if (!found) return found.error();
-  found->energy_before /= scale * scale;
-  found->energy_after /= scale * scale;
   return with_joints_in(std::move(*found), inverse(order));
 }
 

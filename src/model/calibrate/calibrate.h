@@ -20,6 +20,10 @@ PoseLimits pose_limits(const Document& document);
 // the two can be compared.
 std::vector<std::vector<char>> shared_contours(const Document& document);
 
+// How many times as large small drawings are taken: errors are measured in pixels of a figure some
+// 500 large, of which a sprite's pixel is many. 1 from half of kShapeSize on.
+double calibration_scale(const Document& document);
+
 // The children that a joint's bones lead to: things that it holds are none.
 std::vector<int> ends_of_bones(const Document& document, int joint);
 // Middle of a joint's bones, in the joint's axes; the joint itself where it has none.

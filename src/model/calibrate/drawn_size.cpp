@@ -133,7 +133,7 @@ std::vector<std::string> drawn_size_words(const Document& document,
 
 std::vector<double> offered_scales(const Document& whole) {
   Document document = with_shaping_contours(whole);
-  document = scaled(document, shape_scale(document));
+  document = scaled(document, calibration_scale(document));
   std::vector<double> scales;
   std::vector<Pose> poses;
   for (const Frame& frame : document.frames) {

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "base/trigonometry.h"
+#include "model/calibrate/calibrate.h"
 #include "model/calibrate/ray_residuals.h"
 #include "model/working_scale.h"
 
@@ -89,7 +90,7 @@ const char* trust_word(Trust trust) {
 }
 
 UnseenSides unseen_sides(const Document& given) {
-  const Document document = scaled(given, shape_scale(given));
+  const Document document = scaled(given, calibration_scale(given));
   UnseenSides out;
   std::vector<Pose> poses;
   std::vector<double> scales;

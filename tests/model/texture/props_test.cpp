@@ -24,7 +24,8 @@ struct Carded {
 
 Polyline card_line(const Document& document, int chest) {
   Box2 box;
-  for (const Vec2& p : closed_contours(document.frames[0], chest)[0]) box.extend(p);
+  const std::vector<std::vector<Vec2>> outlines = closed_contours(document.frames[0], chest);
+  for (const Vec2& p : outlines.at(0)) box.extend(p);
   const Vec2 middle = box.center(), half = 0.3 * box.sizes();
   Polyline line;
   line.closed = true;
