@@ -1,7 +1,6 @@
 // A part's virtual cameras (the paper's section 2.1).
 #include <cmath>
 
-#include "model/calibrate/calibrate.h"
 #include "model/one_order.h"
 #include "model/stages.h"
 
@@ -50,8 +49,9 @@ std::vector<Part> parts_of(const Document& document) {
     part.origin = rest[joint];
     if (const auto it = document.parts.find(joint); it != document.parts.end())
       part.fatness = it->second.fatness;
-    for (const int end : ends_of_bones(document, joint))
-      part.bones.push_back({joint, end, rest[joint], rest[end]});
+    for (const int end : document.skeleton.children(joint))
+      if (role_of(document, end) == Role::body)  // no bone leads to a thing
+        part.bones.push_back({joint, end, rest[joint], rest[end]});
     for (int f = 0; f < int(document.frames.size()); ++f) {
       PartView view;
       view.contours = in_one_order(without_specks(contours_of(document.frames[f], joint)));
