@@ -146,10 +146,9 @@ Result<Done> paint(const Document& posed, std::span<const Image> drawings, Stage
   // A large drawing's colours are as fine as the texture can keep them.
   const double scale = working_scale(posed);
   std::vector<Image> made;
-  Result<Model> painted =
-      textured(scaled(posed, scale),
-               worked_on(scaled(out.calibrated, scale), drawings, scale, made), out.model, run,
-               &out.coloured);
+  Result<Model> painted = textured(scaled(posed, scale),
+                                   worked_on(scaled(out.calibrated, scale), drawings, scale, made),
+                                   out.model, run, &out.coloured);
   if (!painted) return painted.error();
   Model& model = out.model;
   model = std::move(*painted);

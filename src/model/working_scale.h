@@ -23,8 +23,8 @@ inline constexpr int kMostEnlarged = 16, kMostShrunk = 16;
 double shape_scale(const Document& document);
 inline constexpr double kShapeSize = 375;
 
-// The document or a picture, as if drawn `times` times as large: the same poses and
-// units, more pixels or fewer. Pictures grow by repeating pixels, so that their edges stay as sharp
+// The document or a picture, as if drawn `times` times as large: the same poses and units, more
+// pixels or fewer. Pictures grow by repeating pixels, so that their edges stay as sharp
 // as they are, and shrink to the mean of the pixels that become one.
 Document scaled(Document document, double times);
 Image scaled(const Image& picture, double times);  // times or 1 / times whole

@@ -14,8 +14,8 @@ namespace artisketch {
 //   F, seen         the model's triangles, and which of them each pixel shows
 //   holders         #F, the joints of each
 //   colours         of the parts, over all drawings
-//   held            per pixel, the joint of the thing held before all else there, −1: none; or
-//   empty pixel, fine     units that a pixel takes in figures of the size that is worked on (see
+//   held            per pixel, the joint of the thing held before all else there, or −1; or empty
+//   pixel, fine     units that a pixel takes in figures of the size that is worked on (see
 //                   working_scale.h), and how many of the drawing's pixels lie along it
 void fill_colours(const Frame& frame, const Image& picture, const Triangles& F,
                   const std::vector<Holders>& holders, const PartColours& colours, Visible seen,
