@@ -1,5 +1,6 @@
 // Asks the Khronos validator about models: no error, no warning, and no information but about what
-// goes unused.
+// goes unused, and textures whose sides are no powers of two: charts are packed closely instead, and
+// engines since OpenGL ES 3 take them so.
 //   node validate_gltf.mjs MODULES MODEL.glb…
 // MODULES is the folder that npm installed package.json into. Exit status 77 where the validator is
 // not in it, 1 where a model has faults.
@@ -25,6 +26,6 @@ for (const model of models) {
   // The validator knows no avatars: tests/other/vrm_import.mjs looks at what makes one; nor what is
   // packed: the same model unpacked is among the samples, and tests/other/three_import.mjs unpacks one.
   const told = issues.messages.filter(({ severity, code, message }) => severity === 2 &&
-    !code.startsWith('UNUSED_') && !(code === 'UNSUPPORTED_EXTENSION' && /'(VRMC_|EXT_meshopt_)/.test(message)));
+    !code.startsWith('UNUSED_') && code !== 'IMAGE_NPOT_DIMENSIONS' && !(code === 'UNSUPPORTED_EXTENSION' && /'(VRMC_|EXT_meshopt_)/.test(message)));
   if (numErrors + numWarnings + told.length > 0) process.exitCode = 1;
 }

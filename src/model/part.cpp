@@ -1,30 +1,35 @@
 // A part's virtual cameras (the paper's section 2.1).
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "model/one_order.h"
+#include "model/specks.h"
 #include "model/stages.h"
 
 namespace artisketch {
 namespace {
 
-// A closed contour of a pixel or two beside a larger one of the same part is a slip of the pen, or
-// a speck in a picture that was traced. Taken for a hole it would pierce the part from front to
-// back.
-std::vector<Polyline> without_specks(std::vector<Polyline> contours) {
-  constexpr double kSpeck = 4;           // pixels²
-  constexpr double kBesideWhole = 0.01;  // of the part's largest contour there
-  const auto area = [](const Polyline& line) {
-    return line.closed ? std::abs(signed_area(line)) : 0;
-  };
-  double largest = 0;
-  for (const Polyline& line : contours) largest = std::max(largest, area(line));
-  std::erase_if(contours, [&](const Polyline& line) {
-    return line.closed && area(line) < std::min(kSpeck, kBesideWhole * largest);
-  });
-  return contours;
+double closed_area(const Polyline& line) {
+  return line.closed ? std::abs(signed_area(line)) : 0;
 }
 
 }  // namespace
+
+Document without_specks(Document document) {
+  constexpr double kSpeck = 4;           // pixels²
+  constexpr double kBesideWhole = 0.01;  // of the part's largest contour there
+  for (Frame& frame : document.frames) {
+    std::map<int, double> largest;  // by joint
+    for (const Contour& contour : frame.contours)
+      largest[contour.joint] = std::max(largest[contour.joint], closed_area(contour.line));
+    std::erase_if(frame.contours, [&](const Contour& contour) {
+      return contour.line.closed &&
+             closed_area(contour.line) < std::min(kSpeck, kBesideWhole * largest[contour.joint]);
+    });
+  }
+  return document;
+}
 
 Ray PartView::ray(const Vec2& pixel) const {
   const Ray world = camera.ray(pixel);
@@ -36,7 +41,8 @@ PolygonDistance outline_of(const std::vector<Polyline>& contours) {
   return PolygonDistance(closed_polygons(contours));
 }
 
-std::vector<Part> parts_of(const Document& document) {
+std::vector<Part> parts_of(const Document& given) {
+  const Document document = without_specks(given);
   const std::vector<Vec3> rest = rest_positions(document.skeleton);
   std::vector<std::vector<Transform>> to_world;
   for (const Frame& frame : document.frames)
@@ -54,7 +60,7 @@ std::vector<Part> parts_of(const Document& document) {
         part.bones.push_back({joint, end, rest[joint], rest[end]});
     for (int f = 0; f < int(document.frames.size()); ++f) {
       PartView view;
-      view.contours = in_one_order(without_specks(contours_of(document.frames[f], joint)));
+      view.contours = in_one_order(contours_of(document.frames[f], joint));
       if (view.contours.empty()) continue;
       view.frame = f;
       view.camera = frame_camera(document, f);

@@ -12,6 +12,7 @@
 #include "model/calibrate/bends.h"
 #include "model/one_order.h"
 #include "model/rig/snap_rims.h"
+#include "model/specks.h"
 #include "model/stage_clock.h"
 #include "model/stages.h"
 #include "model/surface/carving.h"
@@ -178,10 +179,11 @@ Result<Reconstruction> reconstruct_ordered(const Document& document, const Pipel
 
   stages.start("surfaces", 0.3, 0.8);
   name_unposed(document, out.warnings);
-  const Document posed = with_shaping_contours(out.calibrated);
+  const Document shaping = with_shaping_contours(out.calibrated);
+  const Document posed = without_specks(shaping);
   const Document drawn = scaled(posed, shape_scale(posed));
   std::vector<Part> parts = parts_of(drawn);
-  name_specks(posed, parts, out.warnings);
+  name_specks(shaping, parts, out.warnings);
   warn_of_one_side(posed, parts, out.warnings);
   for (const Bend& bend : bends_of(parts)) out.warnings.push_back(bend_words(posed, bend));
   if (options.mirror) add_mirrored_views(drawn, parts);

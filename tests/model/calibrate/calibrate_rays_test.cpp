@@ -448,9 +448,11 @@ TEST(CalibrateRays, AJointWithoutContoursTurnsOnlyWhereItsChildrenNeedIt) {
   const std::vector<View> views = {view(figure, "front", Quat::Identity()),
                                    view(figure, "below", about_x(70)),
                                    view(figure, "aslant", Quat(about_y(25) * about_x(-40)))};
+  // As large as calibration takes drawings: a smaller one's pixels count as several.
+  const int width = 2 * kWidth, height = 2 * kHeight;
   Document d =
-      draw(figure, views, fitting_camera(figure, Camera::Type::orthographic, kWidth, kHeight),
-           kWidth, kHeight)
+      draw(figure, views, fitting_camera(figure, Camera::Type::orthographic, width, height), width,
+           height)
           .given;
   const int middle = 1;  // the forearm
   for (Frame& frame : d.frames)
