@@ -9,10 +9,6 @@
 namespace artisketch {
 namespace {
 
-Vec2 principal_point_of(const Frame& frame) {
-  return frame.principal_point.value_or(Vec2(frame.width, frame.height) / 2);
-}
-
 template <class Map>
 void map_pixels(Frame& frame, const Map& map) {
   for (Contour& contour : frame.contours)
@@ -111,7 +107,7 @@ Image cropped(const Image& picture, const PixelBox& box) {
 Document with_drawing_cropped(Document document, int frame, const PixelBox& box) {
   Frame& cut = frame_of(document, frame);
   ensure(within(box, cut.width, cut.height), "a box within its drawing");
-  cut.principal_point = principal_point_of(cut);
+  cut.principal_point = frame_camera(document, frame).principal_point;
   map_pixels(cut, [&](const Vec2& p) { return Vec2(p - Vec2(box.x, box.y)); });
   cut.width = box.width;
   cut.height = box.height;

@@ -7,15 +7,6 @@
 namespace artisketch {
 namespace {
 
-double area(const Polyline& line) {
-  double twice = 0;
-  for (std::size_t i = 0; i < line.points.size(); ++i) {
-    const Vec2 &a = line.points[i], &b = line.points[(i + 1) % line.points.size()];
-    twice += a.x() * b.y() - b.x() * a.y();
-  }
-  return std::abs(twice) / 2;
-}
-
 // Every pixel `times` by `times`.
 Image repeated(const Image& picture, int times) {
   Image out(picture.width * times, picture.height * times);
@@ -70,7 +61,7 @@ double working_scale(const Document& document) {
   double pixels = 0;
   for (const Frame& frame : document.frames)
     for (const Contour& contour : frame.contours)
-      if (contour.line.closed) pixels += area(contour.line);
+      if (contour.line.closed) pixels += std::abs(signed_area(contour.line));
   double times = 1;
   while (largest > 0 && times < kMostEnlarged && times * largest < kWorkingSize) times *= 2;
   while (times * kMostShrunk > 1 && times * times / 4 * pixels >= kEnoughPixels) times /= 2;
