@@ -92,10 +92,6 @@ std::string png_of_rows(const std::uint8_t* rows, int width, int height, int cha
   return bytes;
 }
 
-std::string size_words(std::uint32_t width, std::uint32_t height) {
-  return std::to_string(width) + " × " + std::to_string(height);
-}
-
 // The bytes that a frame's `image` stands for.
 Result<std::string> image_bytes(const std::string& image, const std::string& document_path) {
   if (image.rfind("data:", 0) == 0) {
@@ -457,6 +453,10 @@ std::vector<std::string> drawing_words(const Document& document, const std::stri
                       "), which is not used: its colours are taken as sRGB");
   }
   return words;
+}
+
+std::string size_words(long long width, long long height) {
+  return std::to_string(width) + " × " + std::to_string(height);
 }
 
 Result<Image> load_frame_image(const Frame& frame, const std::string& document_path) {

@@ -31,6 +31,9 @@ std::string png_bytes(const Image& image);
 // the frame's size, or lies outside the document's folder.
 Result<Image> load_frame_image(const Frame& frame, const std::string& document_path);
 
+// "640 × 800"
+std::string size_words(long long width, long long height);
+
 // Whether a frame's image is a path that climbs out of its document's folder.
 bool leaves_folder(const std::string& image);
 

@@ -6,6 +6,7 @@
 #include "document/drawing_edit.h"
 #include "editor/session/files.h"
 #include "files/canvas.h"
+#include "files/image_file.h"
 
 namespace artisketch {
 namespace {
@@ -22,10 +23,6 @@ void commit_picture(App& app, int f, const char* undo_name, Document next, const
   }
   app.session.commit(undo_name, std::move(next));
   app.view.fit_again();
-}
-
-std::string size_words(int width, int height) {
-  return std::to_string(width) + " × " + std::to_string(height);
 }
 
 // The frame with another picture for what it shows; fails where that has another shape.
