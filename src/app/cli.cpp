@@ -3,12 +3,11 @@
 #include <cmath>
 #include <csignal>
 #include <map>
-#include <new>
 
 #include <CLI/CLI.hpp>
 
+#include "app/command_run.h"
 #include "app/command_words.h"
-#include "app/job.h"
 #include "app/outputs.h"
 #include "app/verbs.h"
 #include "model/rig/rig_profile.h"
@@ -17,7 +16,6 @@ namespace artisketch {
 namespace {
 
 void add_run_flags(CLI::App& verb, Arguments& a) {
-  verb.add_option("IN", a.in, "the sketch document (.artisketch)")->required();
   verb.add_option("--method", a.method, "paper: every step as published; rays: ours")
       ->check(CLI::IsMember(
           std::vector<std::string>(std::begin(kMethodNames), std::end(kMethodNames))));
@@ -50,10 +48,15 @@ int unknown_words(const CLI::App& app) {
 
 CLI::App& add_reconstruct(CLI::App& app, Arguments& a) {
   CLI::App& make = *app.add_subcommand("reconstruct", "Make a rigged model from a sketch document");
+  make.add_option("IN", a.documents, "the sketch documents (.artisketch)")->required();
   add_run_flags(make, a);
   make.add_option("-o,--output", a.out,
-                  "the model to write (.glb; .vrm, an avatar; its surface alone: .obj, .stl, .ply)")
+                  "the model to write (.glb; .vrm, an avatar; its surface alone: .obj, .stl, "
+                  ".ply), or for many documents a folder/")
       ->required();
+  make.add_option("--jobs", a.jobs, "documents worked on at once (default 1)")
+      ->check(CLI::Range(1, 1024));
+  make.add_flag("--skip-existing", a.skip_existing, "leave out what has its model already");
   make.add_option("--grid", a.grid, "cells along a part's longest side (default 100)")
       ->check(CLI::Range(16, 400));
   make.add_option("--triangles", a.triangles,
@@ -68,7 +71,8 @@ CLI::App& add_reconstruct(CLI::App& app, Arguments& a) {
   make.add_option("--motion", a.motion,
                   "recorded motions to add as clips (.bvh; .glb, .vrm: its animations)");
   make.add_option("--clip", a.clips,
-                  "a clip of the library, like walk or walk:stride=1.2,bounce=0.5; again for more");
+                  "a clip of the library, like walk or walk:stride=1.2,bounce=0.5; again for more")
+      ->allow_extra_args(false);
   std::vector<std::string> rigs;
   for (const RigProfile& profile : rig_profiles()) rigs.push_back(profile.name);
   make.add_option("--rig", a.rig, "name and complete a person's joints as an engine has them")
@@ -158,6 +162,7 @@ int run_verbs(const std::vector<std::string>& arguments, Arguments& a) {
   app.require_subcommand(1);
   const CLI::App& make = add_reconstruct(app, a);
   CLI::App& pose = *app.add_subcommand("calibrate", "Refine a document's poses and write it again");
+  pose.add_option("IN", a.in, "the sketch document (.artisketch)")->required();
   add_run_flags(pose, a);
   pose.add_option("-o,--output", a.out, "the calibrated document (.artisketch)")->required();
   CLI::App& check = *app.add_subcommand("check", "Check a document and name its faults");
@@ -193,13 +198,7 @@ int run_cli(const std::vector<std::string>& arguments) {
   // A file that may not grow further is an error of writing, not the end of the program.
   std::signal(SIGXFSZ, SIG_IGN);
   Arguments a;
-  try {
-    return run_verbs(arguments, a);
-  } catch (const std::bad_alloc&) {
-    return fail(out_of_memory(a.grid));
-  } catch (const std::exception& thrown) {
-    return fail(broke_off(thrown.what()));
-  }
+  return guarded(a.grid, [&] { return run_verbs(arguments, a); });
 }
 
 }  // namespace artisketch

@@ -2,6 +2,10 @@
 
 #include <atomic>
 #include <csignal>
+#include <new>
+
+#include "app/job.h"
+#include "app/outputs.h"
 
 namespace artisketch {
 namespace {
@@ -30,6 +34,16 @@ CommandRun::~CommandRun() {
 
 bool CommandRun::asked_to_stop() {
   return stop_asked;
+}
+
+int guarded(const std::optional<int>& grid, const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return fail(out_of_memory(grid));
+  } catch (const std::exception& thrown) {
+    return fail(broke_off(thrown.what()));
+  }
 }
 
 }  // namespace artisketch

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <string_view>
 
 #include <unistd.h>
@@ -51,16 +52,17 @@ std::optional<std::string> wrong_ending(const std::vector<Target>& targets) {
 // What a run reads stays as it is, and two of its results don't go to one place.
 std::optional<std::string> overwritten(const std::vector<Target>& targets,
                                        const std::vector<std::string>& inputs) {
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    if (targets[i].path.empty()) continue;
-    for (const std::string& input : inputs)
-      if (!input.empty() && same_file(targets[i].path, input))
-        return std::string(targets[i].option) + " " + targets[i].path +
-               ": would replace what is read from " + input + "; name another file";
-    for (std::size_t j = 0; j < i; ++j)
-      if (!targets[j].path.empty() && same_file(targets[i].path, targets[j].path))
-        return std::string(targets[i].option) + " " + targets[i].path + ": is the file of " +
-               targets[j].option + ", too; name another";
+  std::map<std::string, std::string> read, written;  // by what the file is, whatever it is called
+  for (const std::string& input : inputs)
+    if (!input.empty()) read.emplace(file_identity(input), input);
+  for (const Target& target : targets) {
+    const std::string identity = target.path.empty() ? "" : file_identity(target.path);
+    if (identity.empty()) continue;
+    const std::string said = std::string(target.option) + " " + target.path;
+    if (const auto input = read.find(identity); input != read.end())
+      return said + ": would replace what is read from " + input->second + "; name another file";
+    const auto [other, is_new] = written.emplace(identity, target.option);
+    if (!is_new) return said + ": is the file of " + other->second + ", too; name another";
   }
   return std::nullopt;
 }

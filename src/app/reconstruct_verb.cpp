@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/command_run.h"
+#include "app/many_documents.h"
 #include "app/outputs.h"
 #include "app/verbs.h"
 #include "files/bytes.h"
@@ -203,6 +204,15 @@ Result<std::string> bytes_of(const Arguments& a, const Order& order, const Model
 }  // namespace
 
 int reconstruct_verb(Arguments& a) {
+  if (names_folder(a)) return reconstruct_many(a);
+  a.in = a.documents.front();
+  std::error_code ignored;
+  if (!a.skip_existing || !std::filesystem::exists(a.out, ignored)) return reconstruct_one(a);
+  if (!a.quiet) std::printf("%s: is there already\n", a.out.c_str());
+  return kDone;
+}
+
+int reconstruct_one(Arguments& a, std::string* report) {
   Order order;
   if (const int status = take_order(a, order)) return status;
   const Document& document = order.document;
@@ -231,6 +241,7 @@ int reconstruct_verb(Arguments& a) {
   std::vector<Output> outputs;
   if (!a.calibrated.empty())
     outputs.push_back({a.calibrated, text_beside(result->calibrated, a.in, a.calibrated)});
+  if (report) *report = report_text(document, *result, order.moved);
   if (!a.report.empty()) outputs.push_back({a.report, report_text(document, *result, order.moved)});
   if (!a.preview.empty())
     outputs.push_back({a.preview, png_bytes(contact_sheet(document, drawings, *result))});

@@ -17,6 +17,9 @@ struct Arguments {
   std::optional<int> grid, triangles;
   bool no_calibrate = false, no_texture = false, visual_hull = false, quiet = false,
        progress = false, compress = false;
+  std::vector<std::string> documents;  // of reconstruct, which takes many; each is `in` in its turn
+  bool skip_existing = false;
+  int jobs = 1;
   int frame = 0, turntable = 0;
   bool clear = false;
   double yaw = 0, pitch = 0;
@@ -27,6 +30,8 @@ struct Arguments {
 };
 
 int reconstruct_verb(Arguments& a);
+// Of one document, a.in; with its report's text, too, where that is wanted.
+int reconstruct_one(Arguments& a, std::string* report = nullptr);
 int calibrate_verb(const Arguments& a);
 int check_verb(const Arguments& a);
 int skeleton_verb(const Arguments& a);

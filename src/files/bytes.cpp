@@ -229,18 +229,21 @@ Result<Done> write_file(const std::string& path, std::string_view bytes) {
   return write_files({&file, 1});
 }
 
+std::string file_identity(const std::string& path) {
+  struct stat status;
+  if (::stat(path.c_str(), &status) == 0)
+    return S_ISREG(status.st_mode)
+               ? std::to_string(status.st_dev) + ":" + std::to_string(status.st_ino)
+               : "";
+  const std::string at = behind_links(path);
+  const std::unique_ptr<char, void (*)(void*)> folder(::realpath(folder_of(at).c_str(), nullptr),
+                                                      std::free);
+  return (folder ? folder.get() : folder_of(at)) + "/" + at.substr(at.rfind('/') + 1);
+}
+
 bool same_file(const std::string& a, const std::string& b) {
-  struct stat of_a, of_b;
-  const bool is_a = ::stat(a.c_str(), &of_a) == 0, is_b = ::stat(b.c_str(), &of_b) == 0;
-  if (is_a != is_b) return false;
-  if (is_a)
-    return S_ISREG(of_a.st_mode) && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
-  const auto place = [](const std::string& path) {
-    const std::unique_ptr<char, void (*)(void*)> folder(
-        ::realpath(folder_of(path).c_str(), nullptr), std::free);
-    return (folder ? folder.get() : folder_of(path)) + "/" + path.substr(path.rfind('/') + 1);
-  };
-  return place(behind_links(a)) == place(behind_links(b));
+  const std::string of_a = file_identity(a);
+  return !of_a.empty() && of_a == file_identity(b);
 }
 
 std::string base64(std::string_view bytes) {

@@ -26,8 +26,11 @@ struct NewFile {
 };
 Result<Done> write_files(std::span<const NewFile> files);
 
-// Whether two paths name the same file, through links too; of a file that isn't there its place
-// counts. Pipes and devices are nobody's file.
+// What is alike for two paths to the same file, through links too, and for no others; of a file
+// that isn't there its place counts. Pipes and devices are nobody's file: empty.
+std::string file_identity(const std::string& path);
+
+// Whether two paths name the same file.
 bool same_file(const std::string& a, const std::string& b);
 
 // RFC 4648, section 4, with padding. Decoding is strict: it fails on a foreign character, wrong

@@ -139,4 +139,21 @@ std::string report_text(const Document& document, const Calibration& result, dou
   return json_text(report);
 }
 
+std::string reports_text(const std::vector<DocumentOutcome>& outcomes) {
+  constexpr const char* kBecame[] = {"not begun", "there already", "made", "failed"};
+  Json all = {{"generator", "ArtiSketch " ARTISKETCH_VERSION}, {"documents", Json::array()}};
+  for (const DocumentOutcome& outcome : outcomes) {
+    Faults none(outcome.in);
+    const std::optional<Json> report =
+        outcome.report.empty() ? std::nullopt : parse_json(outcome.report, none);
+    all["documents"].push_back({{"in", outcome.in},
+                                {"out", outcome.out},
+                                {"became", kBecame[int(outcome.became)]},
+                                {"exit", outcome.exit},
+                                {"errors", words(outcome.errors)},
+                                {"report", report.value_or(Json(nullptr))}});
+  }
+  return json_text(all);
+}
+
 }  // namespace artisketch

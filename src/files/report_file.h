@@ -19,12 +19,18 @@
 //   model          vertices, triangles, joints
 //   warnings[]     in words
 //
+// Of many documents at once:
+//
+//   documents[]    in, out, became (made, there already, failed, not begun), exit (its status),
+//                  errors[] (in words), report (as above; null where none was made)
+//
 // Angles in degrees, as in documents. Frames are called by name, or by number (from 1) without one.
 // Numbers that are not finite become null.
 #pragma once
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "model/rig/retarget.h"
 #include "model/stages.h"
@@ -37,5 +43,16 @@ std::string report_text(const Document& document, const Reconstruction& result,
 
 // Of `artisketch calibrate`: one stage that took `seconds`.
 std::string report_text(const Document& document, const Calibration& result, double seconds);
+
+// What became of one of many documents.
+struct DocumentOutcome {
+  enum class Became { not_begun, there_already, made, failed };
+  std::string in, out;
+  Became became = Became::not_begun;
+  int exit = 0;
+  std::vector<std::string> errors;
+  std::string report;  // report_text() of it, or empty
+};
+std::string reports_text(const std::vector<DocumentOutcome>& outcomes);
 
 }  // namespace artisketch

@@ -14,6 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "app/command_line.h"
 #include "app/progress_line.h"
 #include "files/bytes.h"
 #include "files/document_file.h"
@@ -22,38 +23,6 @@
 
 namespace artisketch {
 namespace {
-
-namespace fs = std::filesystem;
-
-const std::string kCircles = ARTISKETCH_SOURCE_DIR "/assets/examples/circles/circles.artisketch";
-const std::string kHero = ARTISKETCH_SOURCE_DIR "/assets/examples/hero/hero.artisketch";
-
-class CommandLine : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("artisketch-cli-" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name)) << text;
-    return path(name);
-  }
-  // Runs the command; its exit status, and what it said in `out` and `err`.
-  int run(const std::vector<std::string>& arguments) {
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    const int status = run_cli(arguments);
-    out = testing::internal::GetCapturedStdout();
-    err = testing::internal::GetCapturedStderr();
-    return status;
-  }
-
-  fs::path folder_;
-  std::string out, err;
-};
 
 // A document of one joint with `fields` in place of what they name.
 std::string document(const std::string& version = "1", const std::string& parent = "null",
