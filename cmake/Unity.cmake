@@ -19,6 +19,7 @@ set(alone
   src/files/mesh_file.cpp
   src/files/report_file.cpp
   src/files/tiny_gltf_impl.cpp
+  src/app/version.cpp
   tests/base/raster_test.cpp
   tests/document/animate_test.cpp
   tests/document/covered_test.cpp

@@ -34,6 +34,7 @@ list(APPEND edits ${clips})
 list(TRANSFORM edits APPEND .cpp)
 set_source_files_properties(${files} ${edits} src/model/calibrate/calibration_words.cpp
   src/model/calibrate/drawn_size.cpp src/model/calibrate/unseen_sides.cpp src/app/cli.cpp
+  src/app/command_table.cpp src/app/command_manual.cpp
   src/app/document_verbs.cpp src/app/many_documents.cpp src/app/picture_verbs.cpp src/app/reconstruct_verb.cpp
   src/app/job_bytes.cpp web/page_main.cpp web/browser.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 

@@ -8,8 +8,8 @@
 
 namespace artisketch {
 
-inline constexpr std::string_view kVerbs[] = {"reconstruct", "calibrate", "check",
-                                              "render",      "sprites",   "skeleton"};
+inline constexpr std::string_view kVerbs[] = {"reconstruct", "calibrate", "check",  "render",
+                                              "sprites",     "skeleton",  "manual", "completions"};
 
 // What is wrong with the first word, which should be a verb or an option: empty where it is one.
 std::string verb_fault(const std::vector<std::string>& arguments);

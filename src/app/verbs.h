@@ -26,7 +26,7 @@ struct Arguments {
   RetargetOptions retarget;
   std::vector<std::string> clips;
   SpriteOptions sprites;
-  std::string json, rig;
+  std::string json, rig, shell;
 };
 
 int reconstruct_verb(Arguments& a);

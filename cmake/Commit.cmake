@@ -1,0 +1,30 @@
+# cmake -DSOURCE=FOLDER -DOUTPUT=FILE.h -P Commit.cmake
+# Writes the commit that SOURCE is at: git's, with "+" where files differ from it, or what `git archive`
+# left in cmake/commit.txt; nothing where neither says. Touches OUTPUT only where that changes it.
+set(commit "")
+if(EXISTS "${SOURCE}/.git")
+  execute_process(COMMAND git -C "${SOURCE}" rev-parse --short=10 HEAD
+    OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE failed ERROR_QUIET)
+  if(failed)
+    set(commit "")
+  else()
+    execute_process(COMMAND git -C "${SOURCE}" diff-index --quiet HEAD RESULT_VARIABLE changed ERROR_QUIET)
+    if(changed)
+      string(APPEND commit "+")
+    endif()
+  endif()
+else()
+  file(READ "${SOURCE}/cmake/commit.txt" archived)
+  if(archived MATCHES "^([0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f])")
+    set(commit "${CMAKE_MATCH_1}")
+  endif()
+endif()
+
+set(text "#define ARTISKETCH_COMMIT \"${commit}\"\n")
+set(before "")
+if(EXISTS "${OUTPUT}")
+  file(READ "${OUTPUT}" before)
+endif()
+if(NOT text STREQUAL before)
+  file(WRITE "${OUTPUT}" "${text}")
+endif()
