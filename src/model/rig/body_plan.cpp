@@ -12,7 +12,7 @@ namespace {
 using WordList = std::span<const std::string_view>;
 
 // What the parts of a limb are called; the first words of a list are preferred to later ones, which
-// mean another part in some vocabularies (docs/motion.md).
+// mean another part in some vocabularies (docs/MOTION.md).
 constexpr std::string_view kUpperArm[] = {"upperarm",  "uparm",    "humerus",   "shldr",
                                           "shldrbend", "armupper", "upperwing", "wingupper",
                                           "arm",       "shoulder"};

@@ -11,8 +11,10 @@ namespace {
 // ---------------------------------------------------------------- contacts
 
 // All of a leg's length, and seconds.
-constexpr double kLow = 0.06;    // higher than this above where it stands, a foot is off the ground
-constexpr double kStill = 0.5;   // a leg a second: a foot that swings goes at three or more
+constexpr double kLow = 0.06;   // higher than this above where it stands, a foot is off the ground
+constexpr double kStill = 0.5;  // a leg a second: a foot that swings goes at three or more
+constexpr double kQuiet =
+    0.06;  // and at a contact's ends this: one that lands or leaves goes faster
 constexpr double kBlink = 0.08;  // shorter contacts, and shorter gaps in one, are noise
 
 // The height at which most of the values lie, to within a band; where two do as well, the one that
@@ -57,14 +59,46 @@ void drop_short(std::vector<bool>& flags, bool value, std::size_t least) {
   }
 }
 
+// A contact begins and ends where the foot goes from pose to pose as slowly as one that stands, if
+// it ever does so in it: from there on inward, since outward it lands and leaves.
+//   low    where it may stand at all
+//   quiet  what it goes from pose to pose at most
+void find_ends(std::vector<bool>& flags, const std::vector<bool>& low, const std::vector<Vec3>& at,
+               double quiet) {
+  const auto still = [&](std::size_t k) { return (at[k + 1] - at[k]).norm() <= quiet; };
+  const std::size_t count = flags.size();
+  std::vector<bool> found = flags;
+  for (std::size_t k = 0; k < count;) {
+    std::size_t end = k;
+    while (end < count && flags[end] == flags[k]) ++end;
+    if (flags[k]) {
+      std::size_t first = k, last = end;
+      while (first + 1 < last && !still(first)) ++first;
+      while (last - 1 > first && !still(last - 2)) --last;
+      if (last - first > 1) {
+        while (first > 0 && low[first - 1] && still(first - 1)) --first;
+        while (last < count && low[last] && still(last - 1)) ++last;
+        std::fill(found.begin() + std::ptrdiff_t(k), found.begin() + std::ptrdiff_t(end), false);
+        std::fill(found.begin() + std::ptrdiff_t(first), found.begin() + std::ptrdiff_t(last),
+                  true);
+      }
+    }
+    k = end;
+  }
+  flags = std::move(found);
+}
+
 std::vector<bool> contacts(const std::vector<Vec3>& at, double stance, double leg, double step) {
   const std::vector<double> speeds = speeds_of(at, step);
-  std::vector<bool> flags;
-  for (std::size_t k = 0; k < at.size(); ++k)
-    flags.push_back(std::abs(at[k].y() - stance) < kLow * leg && speeds[k] < kStill * leg);
+  std::vector<bool> flags, low;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    low.push_back(std::abs(at[k].y() - stance) < kLow * leg);
+    flags.push_back(low[k] && speeds[k] < kStill * leg);
+  }
   const auto least = std::size_t(std::lround(kBlink / step));
   drop_short(flags, false, least);
   drop_short(flags, true, least);
+  find_ends(flags, low, at, kQuiet * leg * step);
   return flags;
 }
 
@@ -72,36 +106,29 @@ std::vector<bool> contacts(const std::vector<Vec3>& at, double stance, double le
 
 constexpr double kRamp = 0.12;        // seconds over which a foot goes to its place and leaves it
 constexpr double kStraight = 0.9995;  // of a leg's length: as far as it reaches
-
-// 1 where the flag is set, falling to 0 within kRamp beside it.
-std::vector<double> ramped(const std::vector<bool>& flags, const std::vector<double>& times) {
-  std::vector<double> weights(flags.size(), 0);
-  const auto pass = [&](auto begin, auto end, int step) {
-    double since = 1e9;
-    for (auto k = begin; k != end; k += step) {
-      if (flags[std::size_t(k)])
-        since = 0;
-      else if (k - step >= 0 && k - step < std::ptrdiff_t(flags.size()) && since < 1e9)
-        since += std::abs(times[std::size_t(k)] - times[std::size_t(k - step)]);
-      const double t = std::clamp(1 - since / kRamp, 0.0, 1.0);
-      weights[std::size_t(k)] = std::max(weights[std::size_t(k)], t * t * (3 - 2 * t));
-    }
-  };
-  const auto count = std::ptrdiff_t(flags.size());
-  pass(std::ptrdiff_t(0), count, 1);
-  pass(count - 1, std::ptrdiff_t(-1), -1);
-  return weights;
-}
+// Of a leg: nobody sees a foot so little off its place, and a leg that is nearly straight would
+// bend by degrees to mend it.
+constexpr double kUnseen = 0.003;
+constexpr double kMostPitch = 1.5;  // of what the motion's foot points down: a shorter foot's
 
 Quat turn_of(const Transform& joint) {
   return Quat(joint.linear()).normalized();
 }
 
+// What planting changes at one pose: added to where the ankle is, turned after what the foot's turn
+// is.
+struct Mend {
+  Vec3 way = Vec3::Zero();
+  Quat turn = Quat::Identity();
+};
+
 // Where a foot stands, from one pose to another.
 struct Stand {
   std::size_t begin = 0, end = 0;
-  Vec3 pivot = Vec3::Zero();  // of the toes, or the ankle where there are none
-  Quat flat = Quat::Identity();
+  Vec3 toes = Vec3::Zero(), ankle = Vec3::Zero();  // where they are while it is flat
+  Vec3 shift = Vec3::Zero();      // from where the motion has the ankle then, on average
+  Quat flat = Quat::Identity();   // its turn then, upright
+  Quat level = Quat::Identity();  // and what makes that of the motion's, on average
 };
 
 double yaw_of(const Quat& turn, const Vec3& ahead) {
@@ -109,15 +136,17 @@ double yaw_of(const Quat& turn, const Vec3& ahead) {
   return std::atan2(way.x(), way.z()) - std::atan2(ahead.x(), ahead.z());
 }
 
+// Feet that already stand right stay as the motion has them: a foot is moved by what its place is
+// off, which is nothing then, and beside a stand that fades.
 class Planter {
  public:
   Planter(const Skeleton& skeleton, const FootTrack& foot, const Clip& clip)
       : skeleton_(skeleton), foot_(foot), clip_(clip), rest_(rest_positions(skeleton)) {
     const LimbJoints& limb = foot.limb;
     if (limb.tip >= 0) to_toe_ = rest_[limb.tip] - rest_[limb.end];
-    ahead_ = Vec3(to_toe_.x(), 0, to_toe_.z());
+    toes_ = to_toe_.norm() > 1e-9;
+    ahead_ = level(to_toe_);
     if (ahead_.norm() < 1e-9) ahead_ = Vec3::UnitZ();
-    toes_ = limb.tip >= 0;
     for (std::size_t k = 0; k < clip.poses.size(); ++k) {
       const std::vector<Transform> posed = posed_joints(skeleton, clip.poses[k]);
       ankle_.push_back(posed[limb.end].translation());
@@ -128,15 +157,13 @@ class Planter {
     find_targets();
   }
 
-  const std::vector<Vec3>& targets() const { return targets_; }
-  const std::vector<Quat>& turns() const { return turns_; }
   double length() const {
     return (rest_[foot_.limb.lower] - rest_[foot_.limb.upper]).norm() +
            (rest_[foot_.limb.end] - rest_[foot_.limb.lower]).norm();
   }
-  // How far the root must sink for the leg to reach its foot.
-  double lack(std::size_t k, double weight_at_least) const {
-    if (weights_[k] < weight_at_least) return 0;
+  // How far the root must sink for a leg that stands to reach its foot.
+  double lack(std::size_t k) const {
+    if (!stands(k)) return 0;
     const Vec3 way = top_[k] - targets_[k];
     const double reach = kStraight * length(), across = std::hypot(way.x(), way.z());
     if (way.norm() <= reach) return 0;
@@ -149,13 +176,25 @@ class Planter {
   }
 
  private:
-  Vec3 pivot_at(std::size_t k) const { return ankle_[k] + turn_[k] * to_toe_; }
+  static Vec3 level(Vec3 way) {
+    way.y() = 0;
+    return way;
+  }
+  bool stands(std::size_t k) const { return foot_.stands[k] || (toes_ && foot_.toes_stand[k]); }
+  // How far the toes point up, against how they do at rest.
+  double pitch(const Quat& turn) const {
+    return std::asin(std::clamp((turn * to_toe_).y() / to_toe_.norm(), -1.0, 1.0)) - rest_pitch();
+  }
+  double rest_pitch() const { return std::asin(to_toe_.y() / to_toe_.norm()); }
+  // Pitched further, toes up.
+  Quat pitched(const Quat& turn, double angle) const {
+    const Vec3 side = level(turn * to_toe_).cross(Vec3::UnitY());
+    if (side.norm() < 1e-9 * to_toe_.norm()) return turn;
+    return Quat(Eigen::AngleAxisd(angle, side.normalized())) * turn;
+  }
 
   void find_stands() {
     const std::size_t count = ankle_.size();
-    const auto stands = [&](std::size_t k) {
-      return foot_.stands[k] || (toes_ && foot_.toes_stand[k]);
-    };
     for (std::size_t k = 0; k < count;) {
       if (!stands(k)) {
         ++k;
@@ -170,68 +209,134 @@ class Planter {
     }
   }
 
-  // The mean of where the foot is while it is flat, else while its toes stand.
+  // The poses of a stand in which the foot lies as it does for most of it: heels that rise over the
+  // toes or strike before them are none of these. All, where it stands on its toes alone.
+  std::vector<std::size_t> flat_poses(const Stand& stand) const {
+    std::vector<std::size_t> flat;
+    for (std::size_t k = stand.begin; k < stand.end; ++k)
+      if (foot_.stands[k]) flat.push_back(k);
+    if (flat.empty())
+      for (std::size_t k = stand.begin; k < stand.end; ++k) flat.push_back(k);
+    if (!toes_) return flat;
+    std::vector<double> pitches;
+    for (const std::size_t k : flat) pitches.push_back(pitch(turn_[k]));
+    std::nth_element(pitches.begin(), pitches.begin() + std::ptrdiff_t(pitches.size() / 2),
+                     pitches.end());
+    const double usual = pitches[pitches.size() / 2];
+    constexpr double kAlike = 2;  // degrees
+    std::erase_if(
+        flat, [&](std::size_t k) { return std::abs(pitch(turn_[k]) - usual) > radians(kAlike); });
+    return flat;
+  }
+
   void settle(Stand& stand) const {
-    bool any_flat = false;
-    for (std::size_t k = stand.begin; k < stand.end; ++k) any_flat |= bool(foot_.stands[k]);
-    Vec3 sum = Vec3::Zero();
+    const std::vector<std::size_t> flat = flat_poses(stand);
+    const bool on_sole = foot_.stands[flat.front()];
+    Eigen::Vector4d turns = Eigen::Vector4d::Zero();
+    Vec3 ankle = Vec3::Zero();
     double x = 0, z = 0;
-    int used = 0;
-    for (std::size_t k = stand.begin; k < stand.end; ++k) {
-      if (any_flat && !foot_.stands[k]) continue;
+    for (const std::size_t k : flat) {
       const double yaw = yaw_of(turn_[k], ahead_);
       x += std::sin(yaw);
       z += std::cos(yaw);
-      sum += pivot_at(k);
-      ++used;
+      const Eigen::Vector4d q = turn_[k].coeffs();
+      turns += q.dot(turns) < 0 ? Eigen::Vector4d(-q) : q;
+      ankle += ankle_[k] / double(flat.size());
     }
-    stand.flat = Quat(Eigen::AngleAxisd(std::atan2(x, z), Vec3::UnitY()));
-    stand.pivot = sum / used;
-    stand.pivot.y() = toes_ ? foot_.toe_height : foot_.height;
+    Quat mean;
+    mean.coeffs() = turns.normalized();
+    stand.flat =
+        on_sole ? Quat(Eigen::AngleAxisd(std::atan2(x, z), Vec3::UnitY())) : on_tiptoe(mean, ankle);
+    stand.level = stand.flat * mean.conjugate();
+    stand.toes = ankle + stand.flat * to_toe_;
+    stand.toes.y() = toes_ ? foot_.toe_height : foot_.height;
+    stand.ankle = stand.toes - stand.flat * to_toe_;
+    stand.shift = stand.ankle - ankle;
+  }
+
+  // Pitched so that its toes are on the ground, the ankle where it is.
+  Quat on_tiptoe(const Quat& turn, const Vec3& ankle) const {
+    const double up = pitch(turn);
+    if (!toes_ || up >= 0) return turn;
+    const double drop = std::clamp((foot_.toe_height - ankle.y()) / to_toe_.norm(), -1.0, 1.0);
+    return pitched(turn, std::clamp(std::asin(drop) - rest_pitch(), kMostPitch * up, 0.0) - up);
+  }
+
+  // The foot at a pose of a stand: on its toes or, while these are up, on its heel.
+  Mend planted(const Stand& stand, std::size_t k) const {
+    Quat turn = stand.level * turn_[k];
+    Vec3 target = stand.ankle;
+    if (toes_) {
+      const double up = pitch(turn);
+      if (up < 0) turn = pitched(turn, over_toes(stand, k, turn) - up);
+      constexpr double kOnHeel = 4;  // degrees
+      const double on_toes = std::clamp(1 - up / radians(kOnHeel), 0.0, 1.0);
+      target += on_toes * (stand.toes - turn * to_toe_ - target);
+    }
+    Vec3 way = target - ankle_[k];
+    way *= std::max(0.0, 1 - kUnseen * length() / std::max(way.norm(), 1e-12));
+    return {way, turn * turn_[k].conjugate()};
+  }
+
+  // How far a foot whose heel is up points down, so that the ankle comes near to where the motion
+  // has it: as far as the motion's, where the foot is as long as that one's.
+  double over_toes(const Stand& stand, std::size_t k, const Quat& turn) const {
+    const Vec3 way = ankle_[k] + stand.shift - stand.toes;
+    const double behind = -way.dot(level(turn * to_toe_).normalized());
+    return std::clamp(-std::atan2(way.y(), behind) - rest_pitch(), kMostPitch * pitch(turn), 0.0);
   }
 
   void find_targets() {
     const std::size_t count = ankle_.size();
-    std::vector<bool> any(count);
-    for (std::size_t k = 0; k < count; ++k)
-      any[k] = foot_.stands[k] || (toes_ && foot_.toes_stand[k]);
-    weights_ = ramped(any, clip_.times);
-    const std::vector<double> flat = ramped(foot_.stands, clip_.times);
-    for (std::size_t k = 0; k < count; ++k) {
-      Quat turn = turn_[k];
-      Vec3 target = ankle_[k];
-      if (const Stand* stand = nearest(k); stand && weights_[k] > 0) {
-        turn = turn.slerp(flat[k], stand->flat);
-        const Vec3 locked = stand->pivot - turn * to_toe_;
-        target += weights_[k] * (locked - target);
-      }
-      // Above the ground, heel and toes.
-      const double heel = foot_.height - target.y();
-      const double toe = toes_ ? foot_.toe_height - (target + turn * to_toe_).y() : 0;
-      target.y() += std::max({0.0, heel * (toes_ ? level_share(turn) : 1), toe});
-      targets_.push_back(target);
-      turns_.push_back(turn);
+    targets_ = ankle_;
+    turns_ = turn_;
+    for (const Stand& stand : stands_)
+      for (std::size_t k = stand.begin; k < stand.end; ++k) apply(planted(stand, k), 1, k);
+    for (std::size_t s = 0; s <= stands_.size(); ++s)
+      fade(s > 0 ? &stands_[s - 1] : nullptr, s < stands_.size() ? &stands_[s] : nullptr);
+    for (std::size_t k = 0; k < count; ++k) keep_above_ground(k);
+  }
+
+  void apply(const Mend& mend, double share, std::size_t k) {
+    targets_[k] += share * mend.way;
+    turns_[k] = Quat::Identity().slerp(share, mend.turn) * turns_[k];
+  }
+
+  // Between two stands what either changes fades.
+  void fade(const Stand* before, const Stand* after) {
+    const std::size_t begin = before ? before->end : 0, end = after ? after->begin : ankle_.size();
+    const Mend left = before ? planted(*before, begin - 1) : Mend(),
+               come = after ? planted(*after, end) : Mend();
+    for (std::size_t k = begin; k < end; ++k) {
+      double a = before ? faded(clip_.times[k] - clip_.times[begin - 1]) : 0;
+      double b = after ? faded(clip_.times[end] - clip_.times[k]) : 0;
+      if (const double sum = a + b; sum > 1) a /= sum, b /= sum;
+      if (a > 0) apply(left, a, k);
+      if (b > 0) apply(come, b, k);
     }
+  }
+  static double faded(double since) {
+    const double t = std::clamp(1 - since / kRamp, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+  }
+
+  // Heel and toes. Toes that hang too low are lifted by the foot before the leg is.
+  void keep_above_ground(std::size_t k) {
+    Vec3& target = targets_[k];
+    Quat& turn = turns_[k];
+    if (toes_) {
+      const double room = std::clamp((foot_.toe_height - target.y()) / to_toe_.norm(), -1.0, 1.0);
+      const double least = std::min(std::asin(room) - rest_pitch(), 0.0);
+      if (const double up = pitch(turn); up < least) turn = pitched(turn, least - up);
+    }
+    const double heel = foot_.height - target.y();
+    const double toe = toes_ ? foot_.toe_height - (target + turn * to_toe_).y() : 0;
+    target.y() += std::max({0.0, heel * (toes_ ? level_share(turn) : 1), toe});
   }
 
   // An ankle may come lower than at rest while the foot points down or up; flat it may not.
   double level_share(const Quat& turn) const {
-    const Vec3 way = turn * to_toe_;
-    const double tilt = std::abs(std::asin(std::clamp(way.y() / way.norm(), -1.0, 1.0)) -
-                                 std::asin(std::clamp(to_toe_.y() / to_toe_.norm(), -1.0, 1.0)));
-    return std::clamp(1 - tilt / radians(60), 0.0, 1.0);
-  }
-
-  const Stand* nearest(std::size_t k) const {
-    const Stand* best = nullptr;
-    std::size_t off = ~std::size_t(0);
-    for (const Stand& stand : stands_) {
-      const std::size_t d = k < stand.begin  ? stand.begin - k
-                            : k >= stand.end ? k - stand.end + 1
-                                             : 0;
-      if (d < off) off = d, best = &stand;
-    }
-    return best;
+    return std::clamp(1 - std::abs(pitch(turn)) / radians(60), 0.0, 1.0);
   }
 
   const Skeleton& skeleton_;
@@ -239,7 +344,6 @@ class Planter {
   const Clip& clip_;
   std::vector<Vec3> rest_, ankle_, top_, targets_;
   std::vector<Quat> turn_, turns_;
-  std::vector<double> weights_;
   std::vector<Stand> stands_;
   Vec3 to_toe_ = Vec3::Zero(), ahead_ = Vec3::UnitZ();
   bool toes_ = false;
@@ -345,10 +449,8 @@ void plant_feet(const Skeleton& skeleton, const std::vector<FootTrack>& feet, Cl
     if (foot.limb.lower >= 0) planters.emplace_back(skeleton, foot, clip);
   if (planters.empty()) return;
   std::vector<double> lacks(clip.poses.size(), 0);
-  constexpr double kPlanted = 0.99;  // of its weight
   for (std::size_t k = 0; k < lacks.size(); ++k)
-    for (const Planter& planter : planters)
-      lacks[k] = std::max(lacks[k], planter.lack(k, kPlanted));
+    for (const Planter& planter : planters) lacks[k] = std::max(lacks[k], planter.lack(k));
   const std::vector<double> sinks = smooth_above(lacks, clip.times);
   for (std::size_t k = 0; k < clip.poses.size(); ++k) {
     clip.poses[k].root_position.y() -= sinks[k];

@@ -24,10 +24,10 @@ struct FootTrack {
 //   step  seconds from pose to pose
 void find_contacts(std::vector<FootTrack>& feet, double leg, double step);
 
-// Feet that stand are flat, as high as at rest, and keep their place for as long as they do, also
-// while the heel rises over the toes; none goes below the ground. Legs follow by two bones' IK, and
-// bend as they did; the root sinks where one would have to be longer. Legs of one bone stay as they
-// are.
+// Feet that stand are flat on average, as high as at rest, and keep their place for as long as they
+// do, also while the heel rises over the toes; none goes below the ground. Feet of which that is
+// already true stay as they are. Legs follow by two bones' IK, and bend as they did; the root sinks
+// where one would have to be longer. Legs of one bone stay as they are.
 void plant_feet(const Skeleton& skeleton, const std::vector<FootTrack>& feet, Clip& clip);
 
 // Two bones' IK: the limb's end comes to `target`, or as near as it reaches, and is turned as

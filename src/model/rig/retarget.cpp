@@ -477,14 +477,8 @@ class Retargeter {
 
   void make_clip() {
     out_.clip.name = motion_.name;
-    std::vector<LimbJoints> our_legs;
-    for (const FootTrack& foot : feet_) our_legs.push_back(foot.limb);
-    const double ground = our_ground();
-    double our_stance = 0, their_stance = 0;
-    for (const FootTrack& foot : feet_) {
-      our_stance += (rest_[foot.limb.end].y() - ground) / double(feet_.size());
-      their_stance += foot.stance / double(feet_.size());
-    }
+    find_stance();
+    if (options_.plant_feet) find_tilt();
     Vec3 first = Vec3::Zero();
     for (int k = 0; k < source_.size(); ++k) {
       const std::vector<Transform> posed = source_.posed(k);
@@ -500,17 +494,63 @@ class Retargeter {
         }
         pose.root_position = ours_.joints[0].offset + out_.scale * (at[root_mover_] - start);
       } else {
-        const std::vector<Vec3> mine = places_of(artisketch::posed_joints(ours_, pose));
-        const Vec3 theirs_top = tops(their_feet_, at);
-        Vec3 top = out_.scale * theirs_top;
-        top.y() = our_stance + out_.scale * (theirs_top.y() - their_stance);
-        pose.root_position += top - tops(our_legs, mine);
+        carry(pose, at);
         if (k == 0) first = level(pose.root_position - ours_.joints[0].offset);
         pose.root_position -= first;
       }
       out_.clip.times.push_back(double(k) * motion_.step);
       out_.clip.poses.push_back(std::move(pose));
     }
+  }
+
+  void find_stance() {
+    const double ground = our_ground();
+    for (const FootTrack& foot : feet_) {
+      our_legs_.push_back(foot.limb);
+      our_stance_ += (rest_[foot.limb.end].y() - ground) / double(feet_.size());
+      their_stance_ += foot.stance / double(feet_.size());
+    }
+  }
+
+  // The root, where the legs' tops go the motion's way.
+  void carry(Pose& pose, const std::vector<Vec3>& at) const {
+    const std::vector<Vec3> mine = places_of(artisketch::posed_joints(ours_, pose));
+    const Vec3 theirs_top = tops(their_feet_, at);
+    Vec3 top = out_.scale * theirs_top;
+    top.y() = our_stance_ + out_.scale * (theirs_top.y() - their_stance_);
+    pose.root_position += top - tops(our_legs_, mine);
+  }
+
+  // Forelegs that are longer or shorter against hind legs than the motion's would be bent or
+  // stretched by planting them; the trunk leans instead, by as much as brings both to the ground.
+  void find_tilt() {
+    constexpr double kMost = 3;  // degrees; further than that the legs give way
+    const auto fore = [&](std::size_t f) {
+      return our_legs_[f].end == our().arms[0].end || our_legs_[f].end == our().arms[1].end;
+    };
+    std::array<double, 2> high{},
+        ahead{};  // of hind and fore feet that stand, and their legs' tops
+    std::array<int, 2> count{};
+    for (const int k : source_.sampled(200)) {
+      const std::vector<Transform> posed = source_.posed(k);
+      const std::vector<Vec3> at = places_of(posed);
+      Pose pose = pose_like(posed, at);
+      carry(pose, at);
+      const std::vector<Vec3> mine = places_of(artisketch::posed_joints(ours_, pose));
+      const Vec3 forward = forward_of(our(), mine);
+      for (std::size_t f = 0; f < feet_.size(); ++f) {
+        if (!feet_[f].stands[std::size_t(k)]) continue;
+        const LimbJoints& leg = our_legs_[f];
+        high[fore(f)] += mine[leg.end].y() - rest_[leg.end].y();
+        ahead[fore(f)] += (mine[leg.upper] - pose.root_position).dot(forward);
+        ++count[fore(f)];
+      }
+    }
+    if (count[0] == 0 || count[1] == 0) return;
+    const double length = ahead[1] / count[1] - ahead[0] / count[0];
+    if (length < kNothing) return;
+    const double up = high[0] / count[0] - high[1] / count[1];
+    tilt_ = std::clamp(std::atan2(up, length), radians(-kMost), radians(kMost));
   }
 
   // 0, where the document's figure stands on it or a little above, else its lowest joint.
@@ -528,6 +568,8 @@ class Retargeter {
   Pose pose_like(const std::vector<Transform>& posed, const std::vector<Vec3>& at) const {
     Pose pose = rest_pose(ours_);
     std::vector<Quat> turns(std::size_t(ours_.size()));
+    const Quat lean(
+        Eigen::AngleAxisd(tilt_, forward_of(their(), at).cross(Vec3::UnitY()).normalized()));
     for (int j = 0; j < ours_.size(); ++j) {
       const int parent = ours_.joints[j].parent;
       const Quat above = parent < 0 ? Quat(Quat::Identity()) : turns[parent];
@@ -537,11 +579,20 @@ class Retargeter {
         const auto way = stands_on(j) ? std::nullopt : aimed(j, at);
         if (way && our_bone(j).norm() > kNothing)
           turns[j] = least_turn(turns[j] * our_bone(j), *way) * turns[j];
+        if (tilt_ != 0 && before_chest(j)) turns[j] = lean * turns[j];
       }
       turns[j].normalize();
       pose.rotations[j] = (above.conjugate() * turns[j]).normalized();
     }
     return pose;
+  }
+
+  bool before_chest(int joint) const {
+    for (const int one : our().trunk) {
+      if (one == our().chest) return false;
+      if (one == joint) return true;
+    }
+    return false;
   }
 
   void finish() {
@@ -588,6 +639,9 @@ class Retargeter {
   int root_mover_ = 0;
   bool stands_ = false;
   double their_hips_ = 0;
+  std::vector<LimbJoints> our_legs_;
+  double our_stance_ = 0, their_stance_ = 0;  // the ankles' height while the figure stands
+  double tilt_ = 0;                           // of the trunk, radians, the chest up
   Retargeted out_;
 };
 

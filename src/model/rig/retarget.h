@@ -24,7 +24,7 @@ struct Retargeted {
   std::vector<std::string> warnings;  // in words, the map's and the file's too
 };
 
-// The motion as a clip for the document's skeleton (docs/motion.md).
+// The motion as a clip for the document's skeleton (docs/MOTION.md).
 //   - limbs and the trunk point in the world as the motion's do, whatever its rest pose: that is
 //     not needed, where a pose of the motion is nearer to the document's;
 //   - the head and the feet keep how they are turned against what the figure does on average, and

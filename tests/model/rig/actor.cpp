@@ -71,8 +71,9 @@ const std::vector<Entry> kDog = {{"hips", "", {0, 0.55, -0.4}},
                                  {"foot.L", "shin.L", {0, -0.22, -0.09}},
                                  {"toe_end.L", "foot.L", {0, -0.04, 0.08}}};
 
-// A leg from its top to a wanted ankle, in the plane of its way: both bones' turns.
-void bend_leg(const Skeleton& skeleton, int upper, int lower, int end, const Vec3& top,
+// A leg from its top to a wanted ankle, in the plane of its way: both bones' turns. Whether it
+// reaches.
+bool bend_leg(const Skeleton& skeleton, int upper, int lower, int end, const Vec3& top,
               const Vec3& ankle, double knee_ahead, std::vector<Quat>& turns) {
   const Vec3 a = skeleton.joints[lower].offset, b = skeleton.joints[end].offset;
   Vec3 way = ankle - top;
@@ -84,19 +85,22 @@ void bend_leg(const Skeleton& skeleton, int upper, int lower, int end, const Vec
   const Vec3 knee = ahead * way + std::sqrt(std::max(0.0, a.squaredNorm() - ahead * ahead)) * bend;
   turns[upper] = least_turn(a, knee);
   turns[lower] = least_turn(b, reach * way - knee);
+  return (top + reach * way - ankle).norm() < 1e-3;
 }
 
 // One foot's way through a stride that begins with its heel's strike: along the ground at the
 // body's pace while it stands, over it in an arc, its pitch from heel to toe.
 struct FootAt {
   double ahead, up, pitch;  // of the ankle against the middle of its stance, degrees toes down
+  bool on_ground = false;
+  bool stands() const { return on_ground && pitch == 0; }
 };
 FootAt foot_at(double phase, double stride, double stance, double lift, bool rolls) {
   phase -= std::floor(phase);
   const double half = stride * stance / 2;
   if (phase < stance) {
     const double t = phase / stance;
-    FootAt at{half - 2 * half * t, 0, 0};
+    FootAt at{half - 2 * half * t, 0, 0, true};
     if (rolls && t > 0.7) at.pitch = 30 * std::pow((t - 0.7) / 0.3, 2);
     return at;
   }
@@ -173,10 +177,13 @@ Actor walking_person() {
                 tip = skeleton.find(std::string("toe_end") + side);
       const FootAt foot = foot_at(phase + (side[1] == 'L' ? 0 : 0.5), stride, stance, 0.08, true);
       // The toes are what stands: the ankle rises over them.
-      const Vec3 toes(at[upper].x(), 0.03 + foot.up, stride * phase + foot.ahead + 0.13);
+      // Where it stands it stands: the hips sway over it.
+      const Vec3 toes(skeleton.joints[upper].offset.x(), 0.03 + foot.up,
+                      stride * phase + foot.ahead + 0.13);
       turns[end] = about(foot.pitch, Vec3::UnitX());
       const Vec3 ankle = toes - turns[end] * skeleton.joints[toe].offset;
-      bend_leg(skeleton, upper, lower, end, at[upper], ankle, 1, turns);
+      const bool reaches = bend_leg(skeleton, upper, lower, end, at[upper], ankle, 1, turns);
+      actor.stands[std::string("foot") + side].push_back(foot.stands() && reaches);
       turns[toe] = turns[tip] = Quat::Identity();
     }
     actor.turns.push_back(std::move(turns));
@@ -217,7 +224,8 @@ Actor walking_dog() {
                 end = skeleton.find(std::string(leg.end) + leg.side);
       const FootAt foot = foot_at(phase + leg.phase, stride, stance, 0.05, false);
       const Vec3 ankle(at[upper].x(), 0.05 + foot.up, at[upper].z() + foot.ahead);
-      bend_leg(skeleton, upper, lower, end, at[upper], ankle, leg.knee, turns);
+      const bool reaches = bend_leg(skeleton, upper, lower, end, at[upper], ankle, leg.knee, turns);
+      actor.stands[std::string(leg.end) + leg.side].push_back(foot.stands() && reaches);
     }
     actor.turns.push_back(std::move(turns));
     actor.roots.push_back(root);

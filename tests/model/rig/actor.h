@@ -1,6 +1,7 @@
 // Somebody who walks: the truth that motions of any vocabulary, rest pose and axis are made from.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct Actor {
   Skeleton skeleton;                     // at rest as the T-pose; faces +z, y up
   std::vector<std::vector<Quat>> turns;  // per pose and joint, in the world
   std::vector<Vec3> roots;
+  std::map<std::string, std::vector<bool>>
+      stands;  // per foot and pose: flat on the ground, at rest
   double step = 1 / 30.0;
   int find(const std::string& name) const { return skeleton.find(name); }
   std::vector<Vec3> at(int pose) const;
