@@ -27,8 +27,8 @@ file(GLOB files CONFIGURE_DEPENDS src/files/*.cpp)
 set(edits edit animate bone_axis correspondence cut drawing_edit history mend outline_edit posing skeleton_edit
   sprite_sheet strokes suggest templates)
 list(TRANSFORM edits PREPEND src/document/)
-set(clips acts body_plan clips feet gaits joint_name library motion_map own_skeleton puppet retarget
-  rig_profile t_pose)
+set(clips acts body_plan clips contacts feet gaits joint_name library motion_map own_skeleton puppet retarget
+  retarget_aims rig_profile t_pose upright_motion)
 list(TRANSFORM clips PREPEND src/model/rig/)
 list(APPEND edits ${clips})
 list(TRANSFORM edits APPEND .cpp)

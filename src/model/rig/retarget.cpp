@@ -6,68 +6,13 @@
 #include "base/rotation.h"
 #include "base/words.h"
 #include "model/rig/feet.h"
+#include "model/rig/retarget_aims.h"
+#include "model/rig/upright_motion.h"
 
 namespace artisketch {
 namespace {
 
 constexpr double kNothing = 1e-9;  // of a length: too short to point anywhere
-
-// ---------------------------------------------------------------- the motion, y up
-
-Mat3 up_from_z() {
-  return Mat3(Eigen::AngleAxisd(-kPi / 2, Vec3::UnitX()));
-}
-
-// A motion's poses, turned so that y is up.
-class Source {
- public:
-  explicit Source(const Motion& motion) : motion_(motion) {}
-  void turn_up() { turn_ = up_from_z(), turned_ = true; }
-  int size() const { return int(motion_.poses.size()); }
-  const Skeleton& skeleton() const { return motion_.skeleton; }
-  // In pose k; k < 0: at rest.
-  std::vector<Transform> posed(int k) const {
-    std::vector<Transform> all =
-        k < 0 ? artisketch::posed_joints(motion_.skeleton, rest_pose(motion_.skeleton))
-              : artisketch::posed_joints(motion_, k);
-    if (turned_)
-      for (Transform& one : all) one = Transform(turn_) * one;
-    return all;
-  }
-  // About `most` poses, evenly.
-  std::vector<int> sampled(int most) const {
-    std::vector<int> some;
-    const int step = std::max(1, size() / most);
-    for (int k = 0; k < size(); k += step) some.push_back(k);
-    return some;
-  }
-
- private:
-  const Motion& motion_;
-  Mat3 turn_ = Mat3::Identity();
-  bool turned_ = false;
-};
-
-// Whether z is up: the figure stands along it, for more of the time than along y. Where its joints
-// say nothing, it is taller along it.
-bool stands_along_z(const Source& source, const BodyPlan& figure) {
-  constexpr double kUpright = 0.8;  // cosine
-  int along_y = 0, along_z = 0;
-  double tall_y = 0, tall_z = 0;
-  for (const int k : source.sampled(200)) {
-    const std::vector<Vec3> at = places_of(source.posed(k));
-    if (const auto up = standing_direction(figure, at)) {
-      along_y += up->y() > kUpright;
-      along_z += up->z() > kUpright;
-    } else {
-      Box3 box;
-      for (const Vec3& p : at) box.extend(p);
-      tall_y += box.sizes().y();
-      tall_z += box.sizes().z();
-    }
-  }
-  return along_z > along_y || (along_y == 0 && along_z == 0 && tall_z > 1.3 * tall_y);
-}
 
 // ---------------------------------------------------------------- where figures point
 
@@ -111,13 +56,6 @@ Frame3 trunk_frames(const BodyPlan& figure, const std::vector<Vec3>& at) {
   return frames;
 }
 
-// A bone of the document's and what it follows: from a place of the motion's figure to another.
-struct Aim {
-  int to = -1;  // of the document; −1: none
-  int their_from = -1, their_to = -1;
-  int trunk = -1;  // or the part of the trunk that begins here
-};
-
 class Retargeter {
  public:
   Retargeter(const Document& document, const Motion& motion, const RetargetOptions& options)
@@ -129,14 +67,14 @@ class Retargeter {
         rest_(rest_positions(document.skeleton)) {}
 
   Result<Retargeted> run() {
-    find_up();
+    out_.z_up = source_.z_up();
     out_.map = mapped(document_, motion_, places_of(source_.posed(0)));
     if (out_.map.matches.empty())
       return bad_input("the motion '" + motion_.name + "' moves no joint of the document: its '" +
                        theirs().joints[0].name +
                        "' is none; name pairs in /motion/joints, like { \"" +
                        theirs().joints[0].name + "\": \"" + ours_.joints[0].name + "\" }");
-    find_aims();
+    aims_.emplace(ours_, theirs(), out_.map);
     find_reference();
     find_feet();
     find_differences();
@@ -152,136 +90,6 @@ class Retargeter {
   const BodyPlan& their() const { return out_.map.theirs; }
   int mover(int joint) const { return joint < 0 ? -1 : out_.map.mover[joint]; }
 
-  void find_up() {
-    const std::vector<Vec3> at = places_of(source_.posed(0));
-    out_.z_up = stands_along_z(source_, body_plan_of(theirs(), at, false));
-    if (out_.z_up) source_.turn_up();
-  }
-
-  bool four_legged() const {
-    if (our().trunk.size() < 2) return false;
-    const Vec3 way =
-        rest_[our().chest >= 0 ? our().chest : our().trunk.back()] - rest_[our().trunk.front()];
-    return std::abs(way.y()) < way.norm() / 2;
-  }
-
-  // ---- what follows what
-
-  void find_aims() {
-    aims_.assign(std::size_t(ours_.size()), Aim());
-    const auto limb = [&](const LimbJoints& mine, const LimbJoints& yours) {
-      const int our_joints[] = {mine.collar, mine.upper, mine.lower, mine.end, mine.tip};
-      const int their_joints[] = {yours.collar, yours.upper, yours.lower, yours.end, yours.tip};
-      for (int i = 0; i < 4; ++i) {
-        // Where both lack it, neither points anywhere.
-        if (our_joints[i] < 0 || their_joints[i] < 0 || mover(our_joints[i]) != their_joints[i])
-          continue;
-        for (int k = i + 1; k < 5; ++k)
-          if (our_joints[k] >= 0 && their_joints[k] >= 0 &&
-              (k == 4 || mover(our_joints[k]) == their_joints[k])) {
-            aims_[our_joints[i]] = {our_joints[k], their_joints[i], their_joints[k], -1};
-            break;
-          }
-      }
-    };
-    for (std::size_t s = 0; s < 2; ++s) {
-      limb(our().arms[s], their().arms[s]);
-      limb(our().legs[s], their().legs[s]);
-    }
-    find_trunk_aims();
-    // Whatever else: from a mapped joint to the one that comes next.
-    std::vector<bool> mine(ours_.size(), false), yours(theirs().size(), false);
-    for (const JointMatch& match : out_.map.matches) mine[match.joint] = yours[match.mover] = true;
-    for (const JointMatch& match : out_.map.matches) {
-      Aim& aim = aims_[match.joint];
-      if (aim.to >= 0 || aim.trunk >= 0 || is_end(match.joint) || match.joint == our().head ||
-          match.joint == our().hips || match.joint == our().chest)
-        continue;
-      const int to = next_joint(ours_, match.joint, mine);
-      const int their_to = next_joint(theirs(), match.mover, yours);
-      if (to >= 0 && their_to >= 0) aim = {to, match.mover, their_to, -1};
-    }
-  }
-
-  bool is_end(int joint) const {
-    for (const auto* pair : {&our().arms, &our().legs})
-      for (const LimbJoints& limb : *pair)
-        if (limb.end == joint) return true;
-    return false;
-  }
-
-  // The one mapped joint that comes next below, or the only child; −1 where several do.
-  static int next_joint(const Skeleton& skeleton, int joint, const std::vector<bool>& mapped) {
-    std::vector<int> next, open = skeleton.children(joint);
-    while (!open.empty()) {
-      const int j = open.back();
-      open.pop_back();
-      if (mapped[j]) {
-        next.push_back(j);
-        continue;
-      }
-      const std::vector<int> children = skeleton.children(j);
-      open.insert(open.end(), children.begin(), children.end());
-    }
-    if (next.empty()) next = skeleton.children(joint);
-    return next.size() == 1 ? next[0] : -1;
-  }
-
-  // Trunks are alike as wholes: a joint a third of the way up ours follows the point a third of the
-  // way up theirs. Where arms are forelegs, the chest is where they are.
-  void find_trunk_aims() {
-    const std::vector<int>&mine = our().trunk, &yours = their().trunk;
-    if (mine.size() < 2 || yours.size() < 2) return;
-    const auto at = [](const std::vector<int>& trunk, int joint) {
-      return int(std::find(trunk.begin(), trunk.end(), joint) - trunk.begin());
-    };
-    std::vector<std::pair<int, int>> anchors{{0, 0}};
-    const bool heads = our().head >= 0 && their().head >= 0;
-    if (our().chest > our().hips && their().chest > their().hips && (four_legged() || !heads))
-      anchors.emplace_back(at(mine, our().chest), at(yours, their().chest));
-    else if (!heads && our().chest < 0)
-      anchors.emplace_back(int(mine.size()) - 1, int(yours.size()) - 1);
-    if (heads) anchors.emplace_back(int(mine.size()) - 1, int(yours.size()) - 1);
-    trunk_at_.clear();
-    for (std::size_t a = 0; a + 1 < anchors.size(); ++a) {
-      double whole = 0, way = 0;
-      for (int i = anchors[a].first; i < anchors[a + 1].first; ++i)
-        whole += (rest_[mine[i + 1]] - rest_[mine[i]]).norm();
-      for (int i = anchors[a].first; i < anchors[a + 1].first; ++i) {
-        trunk_at_.push_back({anchors[a].second, anchors[a + 1].second, way / whole});
-        way += (rest_[mine[i + 1]] - rest_[mine[i]]).norm();
-      }
-    }
-    if (anchors.size() < 2 || anchors.back().second == 0) return trunk_at_.clear();
-    trunk_at_.push_back({anchors.back().second, anchors.back().second, 0});
-    for (int i = 0; i + 1 < int(trunk_at_.size()); ++i)
-      if (mover(mine[i]) >= 0) aims_[mine[i]] = {mine[i + 1], -1, -1, i};
-  }
-
-  Vec3 on_trunk(int i, const std::vector<Vec3>& at) const {
-    const OnTrunk& place = trunk_at_[std::size_t(i)];
-    const std::vector<int>& trunk = their().trunk;
-    double whole = 0;
-    for (int k = place.from; k < place.to; ++k) whole += (at[trunk[k + 1]] - at[trunk[k]]).norm();
-    double left = place.share * whole;
-    for (int k = place.from; k < place.to; ++k) {
-      const double length = (at[trunk[k + 1]] - at[trunk[k]]).norm();
-      if (left <= length && length > 0)
-        return at[trunk[k]] + left / length * (at[trunk[k + 1]] - at[trunk[k]]);
-      left -= length;
-    }
-    return at[trunk[place.to]];
-  }
-
-  std::optional<Vec3> aimed(int joint, const std::vector<Vec3>& at) const {
-    const Aim& aim = aims_[joint];
-    if (aim.to < 0) return std::nullopt;
-    const Vec3 way = aim.trunk >= 0 ? Vec3(on_trunk(aim.trunk + 1, at) - on_trunk(aim.trunk, at))
-                                    : Vec3(at[aim.their_to] - at[aim.their_from]);
-    return way.norm() > kNothing ? std::optional(way) : std::nullopt;
-  }
-  Vec3 our_bone(int joint) const { return rest_[aims_[joint].to] - rest_[joint]; }
-
   // ---- the pose in which both figures are compared
 
   // Of the motion's rest and its poses the one that is most like the document's rest: from there
@@ -294,10 +102,10 @@ class Retargeter {
       const Mat3 yours = frame.value_or(Mat3::Identity());
       double sum = 0;
       for (int j = 0; j < ours_.size(); ++j) {
-        if (aims_[j].trunk >= 0 || is_end(j)) continue;
-        const auto way = aimed(j, at);
-        if (!way || our_bone(j).norm() < kNothing) continue;
-        const Vec3 a = mine.transpose() * our_bone(j).normalized();
+        if (aims_->of_trunk(j) || ends_limb(our(), j)) continue;
+        const auto way = aims_->aimed(j, at);
+        if (!way || aims_->bone(j).norm() < kNothing) continue;
+        const Vec3 a = mine.transpose() * aims_->bone(j).normalized();
         const Vec3 b = yours.transpose() * way->normalized();
         sum += std::pow(std::acos(std::clamp(a.dot(b), -1.0, 1.0)), 2);
       }
@@ -334,9 +142,9 @@ class Retargeter {
         turn = frames(yours.hips, mine.hips);
       else if (j == our().chest && mine.chest && yours.chest && mover(j) >= 0)
         turn = frames(yours.chest, mine.chest);
-      if (const auto way = aimed(j, at);
-          way && mover(j) >= 0 && our_bone(j).norm() > kNothing && !stands_on(j))
-        turn = (least_turn(turn * our_bone(j), *way) * turn).normalized();
+      if (const auto way = aims_->aimed(j, at);
+          way && mover(j) >= 0 && aims_->bone(j).norm() > kNothing && !stands_on(j))
+        turn = (least_turn(turn * aims_->bone(j), *way) * turn).normalized();
       ours[j] = turn;
       if (mover(j) >= 0) difference_[j] = (turned(posed[mover(j)]).conjugate() * turn).normalized();
     }
@@ -382,7 +190,7 @@ class Retargeter {
       their_feet_.push_back(yours);
     };
     for (std::size_t s = 0; s < 2; ++s) add(our().legs[s], their().legs[s]);
-    if (four_legged())
+    if (four_legged(our(), rest_))
       for (std::size_t s = 0; s < 2; ++s) add(our().arms[s], their().arms[s]);
     if (feet_.empty()) return;
     for (int k = 0; k < source_.size(); ++k) {
@@ -576,9 +384,9 @@ class Retargeter {
       turns[j] = above;
       if (mover(j) >= 0) {
         turns[j] = turned(posed[mover(j)]) * difference_[j];
-        const auto way = stands_on(j) ? std::nullopt : aimed(j, at);
-        if (way && our_bone(j).norm() > kNothing)
-          turns[j] = least_turn(turns[j] * our_bone(j), *way) * turns[j];
+        const auto way = stands_on(j) ? std::nullopt : aims_->aimed(j, at);
+        if (way && aims_->bone(j).norm() > kNothing)
+          turns[j] = least_turn(turns[j] * aims_->bone(j), *way) * turns[j];
         if (tilt_ != 0 && before_chest(j)) turns[j] = lean * turns[j];
       }
       turns[j].normalize();
@@ -618,19 +426,13 @@ class Retargeter {
     if (options_.in_place) stay_in_place(out_.clip);
   }
 
-  struct OnTrunk {
-    int from = 0, to = 0;  // of the motion's trunk, between which
-    double share = 0;      // how far
-  };
-
   const Document& document_;
   const Skeleton& ours_;
   const Motion& motion_;
-  Source source_;
+  UprightMotion source_;
   const RetargetOptions& options_;
   const std::vector<Vec3> rest_;
-  std::vector<Aim> aims_;
-  std::vector<OnTrunk> trunk_at_;
+  std::optional<RetargetAims> aims_;  // once joints are mapped
   int reference_ = -1;
   std::vector<Quat> difference_;
   std::vector<FootTrack> feet_;
