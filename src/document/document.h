@@ -80,7 +80,7 @@ struct Animation {
 
 // Which joint a recorded motion's joint moves, where their names differ.
 struct MotionMap {
-  std::vector<std::pair<std::string, int>> joints;  // the motion's name, the document's joint
+  std::vector<std::pair<std::string, int>> joints;  // the motion's name ("": nobody), the document's joint
   std::string unknown;
 };
 

@@ -452,10 +452,10 @@ void Reader::motion(const Json& value, const JsonPath& at) {
   Fields fields(value, at, faults_);
   const JsonPath joints_at = at / "joints";
   const Json* joints = fields.find("joints");
+  std::set<int> moved;
   if (joints && !joints->is_object())
     wrong(joints_at, *joints, "an object of joint names by the motion's joint names");
   else if (joints) {
-    std::set<int> moved;
     for (const auto& [name, given] : joints->get_ref<const Json::object_t&>()) {
       const JsonPath one = joints_at / name;
       int j = 0;
@@ -465,6 +465,14 @@ void Reader::motion(const Json& value, const JsonPath& at) {
                              ", which another joint of the motion moves; each should stand once");
       document_.motion.joints.emplace_back(name, j);
     }
+  }
+  std::vector<int> still;
+  if (const Json* v = fields.find("still")) this->joints(*v, at / "still", still);
+  for (const int j : still) {
+    if (!moved.insert(j).second)
+      faults_.add(at / "still", "names " + in_quotes(document_.skeleton.joints[j].name) +
+                                    ", which stands in it twice or is moved in \"joints\"");
+    document_.motion.joints.emplace_back("", j);
   }
   document_.motion.unknown = fields.unknown();
 }

@@ -209,7 +209,10 @@ Json Writer::animation(const Animation& animation) const {
 
 Json Writer::motion() const {
   Json out = Json::object();
-  for (const auto& [theirs, joint] : document_.motion.joints) out["joints"][theirs] = name(joint);
+  for (const auto& [theirs, joint] : document_.motion.joints)
+    if (!theirs.empty()) out["joints"][theirs] = name(joint);
+  for (const auto& [theirs, joint] : document_.motion.joints)
+    if (theirs.empty()) out["still"].push_back(name(joint));
   return with_unknown(std::move(out), document_.motion.unknown);
 }
 

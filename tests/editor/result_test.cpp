@@ -191,6 +191,16 @@ TEST_F(ResultMode, WhatAMotionMovesIsListedAndChanged) {
   h.click("Mover of upper_arm.R");
   h.click("As found");
   EXPECT_TRUE(h.document().motion.joints.empty());
+  h.click("Mover of upper_arm.L");
+  h.click("Nobody");
+  expect_step("Map upper_arm.L");
+  const int left = h.document().skeleton.find("upper_arm.L");
+  EXPECT_EQ(h.document().motion.joints, (std::vector{std::pair(std::string(), left)}));
+  for (const Key& key : h.document().animations[0].keys)
+    EXPECT_LT(key.pose.rotations[std::size_t(left)].angularDistance(Quat::Identity()), 1e-9);
+  h.click("Mover of upper_arm.L");
+  h.click("As found");
+  EXPECT_TRUE(h.document().motion.joints.empty());
   h.click("In place");
   h.key(ImGuiKey_Escape);
   EXPECT_EQ(h.find("Mover of upper_arm.R"), nullptr);

@@ -26,12 +26,12 @@ void commit_clips(App& app, const std::string& undo_name, Document document) {
   if (app.session.built) choose_clip(app, int(app.session.built->model.clips.size()) - 1);
 }
 
-Document with_mover(Document document, int joint, const std::string& mover) {
+Document with_mover(Document document, int joint, const std::optional<std::string>& mover) {
   auto& pairs = document.motion.joints;
   std::erase_if(pairs, [&](const auto& pair) {
-    return pair.second == joint || (!mover.empty() && pair.first == mover);
+    return pair.second == joint || (!pair.first.empty() && pair.first == mover);
   });
-  if (!mover.empty()) pairs.emplace_back(mover, joint);
+  if (mover) pairs.emplace_back(*mover, joint);
   return document;
 }
 
@@ -118,7 +118,7 @@ DroppedMotion* dropped_motion(App& app) {
   return &*dropped;
 }
 
-void map_joint(App& app, int joint, const std::string& mover) {
+void map_joint(App& app, int joint, const std::optional<std::string>& mover) {
   if (!dropped_motion(app)) return;
   make_again(app, "Map " + app.document().skeleton.joints[std::size_t(joint)].name,
              with_mover(app.document(), joint, mover));

@@ -26,6 +26,7 @@ class Mapper {
     map_.theirs = body_plan_of(theirs_, at, true);
     map_.mover.assign(std::size_t(ours_.size()), -1);
     taken_.assign(std::size_t(theirs_.size()), false);
+    nobodys_.assign(std::size_t(ours_.size()), false);
     at_ = at;
   }
 
@@ -43,7 +44,8 @@ class Mapper {
 
  private:
   void take(int joint, int mover, Match how) {
-    if (joint < 0 || mover < 0 || map_.mover[joint] >= 0 || taken_[mover]) return;
+    if (joint < 0 || mover < 0 || map_.mover[joint] >= 0 || taken_[mover] || nobodys_[joint])
+      return;
     map_.mover[joint] = mover;
     taken_[mover] = true;
     map_.matches.push_back({joint, mover, how});
@@ -51,6 +53,10 @@ class Mapper {
 
   void given() {
     for (const auto& [name, joint] : document_.motion.joints) {
+      if (name.empty()) {
+        nobodys_[joint] = true;
+        continue;
+      }
       const int mover = theirs_.find(name);
       if (mover >= 0) {
         take(joint, mover, Match::given);
@@ -175,7 +181,7 @@ class Mapper {
     std::sort(map_.matches.begin(), map_.matches.end(),
               [](const JointMatch& a, const JointMatch& b) { return a.joint < b.joint; });
     for (int j = 0; j < ours_.size(); ++j)
-      if (map_.mover[j] < 0 && !ours_.children(j).empty()) map_.still.push_back(j);
+      if (map_.mover[j] < 0 && !nobodys_[j] && !ours_.children(j).empty()) map_.still.push_back(j);
     for (int m = 0; m < theirs_.size(); ++m)
       if (!taken_[m] && !theirs_.joints[m].name.empty()) map_.unused.push_back(m);
   }
@@ -184,6 +190,7 @@ class Mapper {
   const Skeleton &ours_, &theirs_;
   std::vector<Vec3> at_;
   std::vector<bool> taken_;
+  std::vector<bool> nobodys_;  // joints that nothing shall move
   JointMap map_;
 };
 

@@ -24,13 +24,13 @@ struct JointMap {
   BodyPlan ours, theirs;
   std::vector<int> mover;           // per joint of the document; −1 where none moves it
   std::vector<JointMatch> matches;  // in the document's order
-  std::vector<int> still;           // joints that carry others, and that nothing moves
+  std::vector<int> still;           // joints that carry others, and that nothing moves unasked
   std::vector<int> unused;          // the motion's named joints that move nothing
   std::vector<std::string> warnings;
 };
 
-// The document's own pairs first, then what names say of limbs and trunk, equal names, and what the
-// trees' shapes show.
+// The document's own pairs first (joints that nobody shall move among them), then what names say of
+// limbs and trunk, equal names, and what the trees' shapes show.
 //   at  where the motion's joints stand in one of its poses, y up
 JointMap mapped(const Document& document, const Motion& motion, const std::vector<Vec3>& at);
 

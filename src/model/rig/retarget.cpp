@@ -89,6 +89,10 @@ class Retargeter {
   const BodyPlan& our() const { return out_.map.ours; }
   const BodyPlan& their() const { return out_.map.theirs; }
   int mover(int joint) const { return joint < 0 ? -1 : out_.map.mover[joint]; }
+  bool nobodys(int joint) const {
+    const auto& pairs = document_.motion.joints;
+    return std::count(pairs.begin(), pairs.end(), std::pair(std::string(), joint)) > 0;
+  }
 
   // ---- the pose in which both figures are compared
 
@@ -183,7 +187,7 @@ class Retargeter {
   void find_feet() {
     const auto add = [&](const LimbJoints& mine, const LimbJoints& yours) {
       if (mine.end < 0 || yours.end < 0 || mover(mine.end) != yours.end || mine.upper < 0 ||
-          mover(mine.upper) != yours.upper || yours.upper < 0)
+          mover(mine.upper) != yours.upper || yours.upper < 0 || nobodys(mine.lower))
         return;
       feet_.push_back({});
       feet_.back().limb = mine;

@@ -135,6 +135,24 @@ TEST(Retarget, CollarBonesThatTheMotionLacksFollowNothing) {
   EXPECT_EQ(made->map.mover[std::size_t(document.skeleton.find("collar.L"))], -1);
 }
 
+TEST(Retarget, AJointThatNobodyShallMoveStaysAsAtRest) {
+  const Actor actor = walking_person();
+  const Motion motion = recorded(actor, vocabularies()[0], Rest::t_pose, false);
+  Document document;
+  document.skeleton = actor.skeleton;
+  const auto size = [&](const char* joint) { return std::size_t(document.skeleton.find(joint)); };
+  document.motion.joints = {{"", int(size("forearm.L"))}, {"", int(size("shin.R"))}};
+  const Result<Retargeted> made = retargeted(document, motion, {});
+  ASSERT_TRUE(made) << made.error().text();
+  for (const char* joint : {"forearm.L", "shin.R"}) {
+    EXPECT_EQ(made->map.mover[size(joint)], -1);
+    for (const Pose& pose : made->clip.poses)
+      EXPECT_LT(pose.rotations[size(joint)].angularDistance(Quat::Identity()), 1e-9) << joint;
+  }
+  EXPECT_TRUE(made->map.still.empty());
+  EXPECT_TRUE(made->warnings.empty());
+}
+
 TEST(Retarget, FlatSkeletonsDoNotDivideByNothing) {
   Document document = figure();
   Motion source = motion();

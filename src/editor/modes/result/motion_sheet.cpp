@@ -41,19 +41,24 @@ void joint_line(App& app, const DroppedMotion& dropped, int joint, Rect row) {
   Look look;
   look.id = "Mover of " + name;
   look.quiet = true;
-  look.hint = !match                         ? "Nothing moves it: as at rest"
+  const bool nobody =
+      std::count(app.document().motion.joints.begin(), app.document().motion.joints.end(),
+                 std::pair(std::string(), joint));
+  look.hint = nobody                         ? "Nothing moves it, by your word"
+              : !match                       ? "Nothing moves it: as at rest"
               : match->how == Match::given   ? "By your word"
               : match->how == Match::guessed ? "Guessed by the skeleton's shape"
                                              : "By its name";
-  if (match && match->how != Match::named)
-    look.icon = match->how == Match::guessed ? icon::kHelpCircleOutline : icon::kCheck;
+  if (nobody || (match && match->how != Match::named))
+    look.icon = match && match->how == Match::guessed ? icon::kHelpCircleOutline : icon::kCheck;
   const std::string mover =
       match ? motion.skeleton.joints[std::size_t(match->mover)].name : std::string("nobody");
   const bool opens = button(mover, row.middle(row.w, kLine - 2), look);
   Menu menu(("Movers of " + name).c_str(), opens);
   if (!menu) return;
-  if (match && match->how == Match::given && menu.line("As found"))
-    return map_joint(app, joint, "");
+  if ((nobody || (match && match->how == Match::given)) && menu.line("As found"))
+    return map_joint(app, joint, std::nullopt);
+  if (!nobody && menu.line("Nobody")) return map_joint(app, joint, "");
   for (const Joint& one : motion.skeleton.joints)
     if (!one.name.empty() && menu.line(one.name)) return map_joint(app, joint, one.name);
 }
