@@ -1,9 +1,14 @@
 // Files of the kinds that one finds, as small as they can be, and what must come of them.
 #include <functional>
+#include <optional>
+#include <set>
 
 #include <gtest/gtest.h>
 
 #include "files/bvh_file.h"
+#include "files/bytes.h"
+#include "files/document_file.h"
+#include "model/rig/actor.h"
 #include "model/rig/retarget.h"
 
 namespace artisketch {
@@ -176,6 +181,156 @@ TEST(FoundMotions, ByteOrderMarksAndOldEndsOfLinesAreRead) {
   EXPECT_AT(moved("\xEF\xBB\xBF" + text), 0, "hips", 0, 1, 0);
   std::replace(text.begin(), text.end(), '\n', '\r');
   EXPECT_AT(moved(text), 0, "hips", 0, 1, 0);
+}
+
+// ---------------------------------------------------------------- by where one finds them
+
+// What those that record motions are known for: names, rest pose, axis, and where positions stand.
+struct FoundKind {
+  const char* where;
+  const char* names;  // of vocabularies()
+  Rest rest;
+  bool z_up = false;
+  bool below_a_root = false;  // the hips have positions of their own, below a root that stays
+  bool twice = false;         // the root has an offset, and its positions hold it again
+  bool odd = false;           // a row more than the header says, byte order mark, CR, tabs
+};
+constexpr FoundKind kFoundKinds[] = {
+    {"CMU, as BVH", "CMU", Rest::t_pose},
+    {"CMU, first frame at rest", "CMU", Rest::first_frame},
+    {"CMU, as ASF", "CMU's own", Rest::any},
+    {"Mixamo", "Mixamo", Rest::t_pose},
+    {"Mixamo without prefix", "Mixamo without prefix", Rest::a_pose},
+    {"Bandai-Namco", "Bandai-Namco", Rest::all_one_way, false, true},
+    {"LaFAN1", "LaFAN", Rest::all_one_way},
+    {"Rokoko", "Rokoko", Rest::along_x, false, false, true},
+    {"Rokoko, a row too many", "Rokoko", Rest::along_x, false, false, true, true},
+    {"Animated Drawings", "CMU", Rest::t_pose, true},
+    {"PyMO's sample", "Biovision", Rest::first_frame},
+};
+
+std::string text_of(const FoundKind& kind, const Actor& actor) {
+  const Vocabulary* names = nullptr;
+  for (const Vocabulary& one : vocabularies())
+    if (std::string(one.name) == kind.names) names = &one;
+  Motion motion = recorded(actor, *names, kind.rest, kind.z_up);
+  if (kind.twice) motion.skeleton.joints[0].offset = motion.poses[0].root_position;
+  std::string text = bvh_text(motion);
+  if (kind.below_a_root) {
+    // As many numbers a row more: the root's, all 0.
+    const std::string place =
+        "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n";
+    text.replace(text.find("ROOT"), 4, "ROOT reference\n{\nOFFSET 0 0 0\n" + place + "JOINT");
+    const std::size_t at = text.find("MOTION");
+    text.insert(at, "}\n");
+    for (std::size_t row = text.find('\n', text.find("Frame Time")); row + 1 < text.size();
+         row = text.find('\n', row + 1))
+      text.insert(row + 1, "0 0 0 0 0 0 ");
+  }
+  if (kind.odd) {
+    const std::string count = "Frames: " + std::to_string(motion.poses.size());
+    text.replace(text.find(count), count.size(),
+                 "Frames:" + std::to_string(motion.poses.size() - 1));
+    for (char& c : text)
+      if (c == ' ') c = '\t';
+    std::string ends = "\xEF\xBB\xBF";
+    for (const char c : text) ends += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    text = ends;
+  }
+  return text;
+}
+
+struct Shown {
+  int turn = 0;        // parts that turn in the world
+  double upright = 0;  // degrees that the trunk leans at the median time
+  double arms = 0, trunk = 0, off_ground = 0, slides = 0;
+};
+Shown shown(const Document& document, const Clip& clip, const Actor& actor) {
+  const Skeleton& skeleton = document.skeleton;
+  const std::vector<Vec3> rest = rest_positions(skeleton);
+  std::set<int> parts;
+  for (const Frame& frame : document.frames)
+    for (const Contour& contour : frame.contours) parts.insert(contour.joint);
+  Shown out;
+  std::vector<double> leans;
+  std::vector<std::vector<Transform>> posed;
+  for (const Pose& pose : clip.poses) posed.push_back(posed_joints(skeleton, pose));
+  const auto turn = [&](std::size_t k, int j) { return Quat(posed[k][std::size_t(j)].linear()); };
+  for (const int part : parts) {
+    double most = 0;
+    for (std::size_t k = 0; k < posed.size(); ++k)
+      most = std::max(most, turn(0, part).angularDistance(turn(k, part)));
+    out.turn += most > radians(2);
+  }
+  const auto way = [&](std::size_t k, const char* from, const char* to) -> Vec3 {
+    return posed[k][std::size_t(skeleton.find(to))].translation() -
+           posed[k][std::size_t(skeleton.find(from))].translation();
+  };
+  const auto apart = [](const Vec3& a, const Vec3& b) {
+    return degrees(std::atan2(a.cross(b).norm(), a.dot(b)));
+  };
+  for (std::size_t k = 0; k < posed.size(); ++k) {
+    const std::vector<Vec3> truth = actor.at(int(k));
+    const auto theirs = [&](const char* from, const char* to) -> Vec3 {
+      return truth[std::size_t(actor.find(to))] - truth[std::size_t(actor.find(from))];
+    };
+    leans.push_back(apart(way(k, "hips", "head"), Vec3::UnitY()));
+    out.trunk = std::max(out.trunk, apart(way(k, "hips", "head"), theirs("hips", "head")));
+    for (const auto& [from, to] :
+         {std::pair("upper_arm.L", "forearm.L"), std::pair("forearm.R", "hand.R")})
+      out.arms = std::max(out.arms, apart(way(k, from, to), theirs(from, to)));
+  }
+  std::nth_element(leans.begin(), leans.begin() + std::ptrdiff_t(leans.size() / 2), leans.end());
+  out.upright = leans[leans.size() / 2];
+  for (const char* foot : {"foot.L", "foot.R"}) {
+    const int j = skeleton.find(foot);
+    std::optional<Vec3> stood;
+    for (std::size_t k = 0; k < posed.size(); ++k) {
+      const Vec3 at = posed[k][std::size_t(j)].translation();
+      if (!actor.stands.at(foot)[k]) {
+        stood.reset();
+        continue;
+      }
+      if (!stood) stood = at;
+      out.slides = std::max(out.slides, (at - *stood).norm() / rest[0].y());
+      out.off_ground =
+          std::max(out.off_ground, std::abs(at.y() - rest[std::size_t(j)].y()) / rest[0].y());
+    }
+  }
+  return out;
+}
+
+// The hero, moved by a walk as each of them would have recorded it, and no map.
+TEST(FoundMotionsTable, TheHeroWalksWhoeverRecordedIt) {
+  const Actor actor = walking_person();
+  const auto bytes = read_file(ARTISKETCH_SOURCE_DIR "/assets/examples/hero/hero.artisketch");
+  ASSERT_TRUE(bytes);
+  const auto document = parse_document(*bytes, "hero");
+  ASSERT_TRUE(document);
+  std::printf("%-26s %6s %8s %7s %7s %8s %8s\n", "recorded by", "turn", "upright", "arms", "trunk",
+              "ground", "slides");
+  for (const FoundKind& kind : kFoundKinds) {
+    const Result<Motion> motion = parse_bvh(text_of(kind, actor), "walk", "walk.bvh");
+    ASSERT_TRUE(motion) << kind.where << ": " << motion.error().text();
+    const Result<Retargeted> result = retargeted(*document, *motion, {});
+    ASSERT_TRUE(result) << kind.where;
+    EXPECT_EQ(result->warnings.size(), kind.odd ? 1u : 0u) << kind.where;
+    EXPECT_EQ(result->z_up, kind.z_up) << kind.where;
+    ASSERT_EQ(result->clip.poses.size(), actor.turns.size());
+    const Shown found = shown(*document, result->clip, actor);
+    std::printf("%-26s %3d/15 %7.2f\u00b0 %6.2f\u00b0 %6.2f\u00b0 %6.2f %% %6.2f %%\n", kind.where,
+                found.turn, found.upright, found.arms, found.trunk, 100 * found.off_ground,
+                100 * found.slides);
+    EXPECT_GE(found.turn, 11) << kind.where;
+    EXPECT_LT(found.upright, 15) << kind.where;  // the actor leans forward by 7
+    EXPECT_LT(found.arms, 1) << kind.where;
+    EXPECT_LT(found.trunk, 5) << kind.where;
+    EXPECT_LT(found.off_ground, 0.01) << kind.where;
+    EXPECT_LT(found.slides, 0.01) << kind.where;
+    const double way =
+        result->clip.poses.back().root_position.z() - result->clip.poses[0].root_position.z();
+    EXPECT_GT(way, 1.5 * result->scale * 100) << kind.where;  // of 2.4 m
+  }
 }
 
 }  // namespace
