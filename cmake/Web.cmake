@@ -57,13 +57,13 @@ foreach(name IN LISTS examples)
   set(folder "${PROJECT_SOURCE_DIR}/assets/examples/${name}")
   set(packed "${CMAKE_BINARY_DIR}/examples/${name}")
   file(GLOB drawings CONFIGURE_DEPENDS "${folder}/*.png")
-  # The core just built makes the models: those that the worker would make, in fewer triangles, since
-  # they are a good part of what the page loads.
+  # The core just built makes the models: those that the worker would make, in fewer triangles and packed,
+  # since they are a good part of what the page loads.
   add_custom_command(OUTPUT "${packed}.artisketch" "${packed}.glb" "${packed}.png" VERBATIM
     COMMAND "${ARTISKETCH_NODE}" "${PROJECT_SOURCE_DIR}/web/pack.mjs" "${folder}/${name}.artisketch"
             "${packed}.artisketch"
     COMMAND "${ARTISKETCH_NODE}" --no-experimental-fetch $<TARGET_FILE:artisketch> reconstruct
-            "${folder}/${name}.artisketch" -o "${packed}.glb" --grid 64 --triangles 5300 --quiet
+            "${folder}/${name}.artisketch" -o "${packed}.glb" --grid 64 --triangles 5300 --compress --quiet
     COMMAND "${ARTISKETCH_NODE}" --no-experimental-fetch $<TARGET_FILE:artisketch> render "${packed}.glb"
             -o "${packed}.png" --clear --frame 1 --yaw 25 --pitch 8 --size 120x144
     DEPENDS artisketch web/pack.mjs "${folder}/${name}.artisketch" ${drawings}
