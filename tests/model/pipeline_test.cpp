@@ -58,9 +58,13 @@ TEST_P(Pipeline, TheHeartsShiftIsFound) {
       bounds(std::span(&front.contours[0].line, 1)).sizes().y() / heart.camera.pixels_per_unit;
   const double moved =
       result->calibrated.frames[1].pose.root_position.y() - heart.frames[1].pose.root_position.y();
-  EXPECT_NEAR(std::abs(moved) / height, 0.2, 0.015);
-  // A voxel of the paper's is a pixel or two here.
-  const double covered = GetParam() == Method::paper ? 0.95 : 0.999;
+  // The paper's rays rest where they share a voxel: a pose is told as close as that, a pixel or
+  // two.
+  const double width = bounds(std::span(&front.contours[0].line, 1)).sizes().x() / height /
+                       heart.camera.pixels_per_unit;
+  const double voxel = 1.6 * std::hypot(1, width) / 96;  // of the heart's height
+  EXPECT_NEAR(std::abs(moved) / height, 0.2, GetParam() == Method::paper ? voxel : 0.015);
+  const double covered = GetParam() == Method::paper ? 0.92 : 0.999;
   for (const PartCoverage& c : result->calibration->coverage) EXPECT_GE(c.after, covered);
 }
 

@@ -1,10 +1,11 @@
 // Calibration as the paper has it (Levi & Gotsman 2013, section 2): frames are added one by one;
 // the newest one's pose is refined until its contour rays meet those of all earlier frames.
 //
-// We read it so: correspondences are voxel pairs, taken both ways (a ray of the newest frame
-// against the voxels that earlier frames hit, and a ray of an earlier frame against those that the
-// newest hits); a pair's two points are the ray's own point and the hit voxel's. Where a ray runs
-// through a voxel that the other side hits as well, the pair is at rest and only holds.
+// We read it so: correspondences are voxel pairs, for each pair of the newest frame and an earlier
+// one both ways (a ray of the one against the voxels that the other hits); how many frames hit a
+// voxel is counted over all of them. A pair's two points are the ray's own point and the hit
+// voxel's. Where a ray runs through a voxel that the other frame hits as well, the pair is at rest
+// and holds.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,7 +26,6 @@ constexpr int kLevels = 3;
 constexpr int kIterations = 15;    // at most, of each level
 constexpr int kDollyEvery = 3;     // iterations between searches along the view axis
 constexpr double kLambda = 1.5;    // cost of a frame that doesn't hit the voxel, in voxels
-constexpr double kRest = 0.1;      // weight of a pair at rest against one that pulls
 constexpr double kSettled = 2e-4;  // of a part's cube: smaller moves end the iterations
 
 // One part as one frame sees it.
@@ -39,7 +39,8 @@ struct PartRays {
   VoxelCube cube;
   std::vector<Sight> earlier;
   Sight newest;
-  std::vector<std::vector<std::vector<int>>> earlier_rays;  // [sight][ray]: voxels
+  std::vector<VoxelRays> earlier_rays;  // of each sight
+  std::vector<HitCount> earlier_count;  // one: of all earlier sights together
 };
 
 std::vector<Vec2> pixels_along(const std::vector<Polyline>& contours, double step) {
@@ -51,9 +52,9 @@ std::vector<Vec2> pixels_along(const std::vector<Polyline>& contours, double ste
   return pixels;
 }
 
-std::vector<std::vector<int>> voxels_of(const VoxelCube& cube, const Sight& sight) {
+VoxelRays voxels_of(const VoxelCube& cube, const Sight& sight) {
   const bool line = sight.view.camera.camera.type == Camera::Type::orthographic;
-  std::vector<std::vector<int>> rays;
+  VoxelRays rays;
   for (const Vec2& pixel : sight.pixels)
     rays.push_back(voxels_along(cube, sight.view.ray(pixel), line));
   return rays;
@@ -96,6 +97,8 @@ std::vector<PartRays> shared_parts(const Document& document, int newest, int sid
     }
     for (const Sight& sight : rays.earlier)
       rays.earlier_rays.push_back(voxels_of(rays.cube, sight));
+    rays.earlier_count.emplace_back(rays.cube);
+    for (const VoxelRays& sight : rays.earlier_rays) rays.earlier_count[0].add(sight);
     shared.push_back(std::move(rays));
   }
   return shared;
@@ -106,20 +109,33 @@ struct Matches {
   double energy = 0;  // mean squared distance of the pairs, in pixels²
 };
 
-// Both ways, the best pair of every contour pixel, with the newest frame posed by its view's
-// motion. `stride` takes every so many-th pixel.
-Matches match(const std::vector<PartRays>& parts, const std::vector<HitVoxels>& earlier_hits,
-              int stride) {
+// Adds the best pair of every `stride`-th ray of `from` with a voxel that `to` hits, as the points
+// of the two frames, in part space: add(pair, of from, of to).
+template <class Add>
+void pair_up(const PartRays& part, const Sight& from, const VoxelRays& rays, const HitVoxels& to,
+             int stride, const Add& add) {
+  const double cell = part.cube.cell, reach = 0.5 * cell * part.cube.side;
+  for (std::size_t i = 0; i < rays.size(); i += stride) {
+    const HitVoxels::Pair pair = to.best_pair(rays[i], kLambda * cell, reach);
+    if (pair.on_ray < 0) {
+      add(pair, Vec3::Zero(), Vec3::Zero());
+      continue;
+    }
+    const Vec3 hit = part.cube.centre(pair.hit);
+    const Ray ray = from.view.ray(from.pixels[i]);
+    add(pair, ray.at((hit - ray.origin).dot(ray.direction)), hit);
+  }
+}
+
+// The pairs of the newest frame, posed by its view's motion, with every earlier one, both ways.
+// `stride` takes every so many-th pixel.
+Matches match(const std::vector<PartRays>& parts, int stride) {
   Matches out;
   double sum = 0, count = 0;
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    const PartRays& part = parts[p];
+  for (const PartRays& part : parts) {
     const PartView& view = part.newest.view;
-    const double cell = part.cube.cell, reach = 0.5 * cell * part.cube.side;
-    const double scale =
-        view.pixels_per_unit(part.cube.origin + Vec3::Constant(cell * part.cube.side / 2));
-    const auto newest_rays = voxels_of(part.cube, part.newest);
-    const HitVoxels newest_hits(part.cube, {newest_rays});
+    const double reach = 0.5 * part.cube.cell * part.cube.side;
+    const double scale = view.pixels_per_unit(part.cube.origin + Vec3::Constant(reach));
     const auto add = [&](const HitVoxels::Pair& pair, const Vec3& earlier, const Vec3& newest) {
       const bool rests = pair.distance == 0 && pair.on_ray >= 0;
       const double apart = rests             ? 0
@@ -129,31 +145,19 @@ Matches match(const std::vector<PartRays>& parts, const std::vector<HitVoxels>& 
       ++count;
       if (pair.on_ray < 0) return;
       // Pairs at rest are closer than the voxels can tell: they hold the point where it is.
-      out.pairs.push_back(
-          {part.joint, rests ? newest : earlier, view.to_world * newest, rests ? kRest : 1});
+      out.pairs.push_back({part.joint, rests ? newest : earlier, view.to_world * newest, 1});
     };
-    for (std::size_t i = 0; i < newest_rays.size(); i += stride) {
-      const HitVoxels::Pair pair = earlier_hits[p].best_pair(newest_rays[i], kLambda * cell, reach);
-      if (pair.on_ray < 0) {
-        add(pair, Vec3::Zero(), Vec3::Zero());
-        continue;
-      }
-      const Vec3 hit = part.cube.centre(pair.hit);
-      const Ray ray = view.ray(part.newest.pixels[i]);
-      add(pair, hit, ray.at((hit - ray.origin).dot(ray.direction)));
+    const VoxelRays newest_rays = voxels_of(part.cube, part.newest);
+    HitCount all = part.earlier_count[0];
+    all.add(newest_rays);
+    const HitVoxels newest_hits(part.cube, newest_rays, all);
+    for (std::size_t s = 0; s < part.earlier.size(); ++s) {
+      const HitVoxels earlier_hits(part.cube, part.earlier_rays[s], all);
+      pair_up(part, part.newest, newest_rays, earlier_hits, stride,
+              [&](const auto& pair, const Vec3& from, const Vec3& to) { add(pair, to, from); });
+      pair_up(part, part.earlier[s], part.earlier_rays[s], newest_hits, stride,
+              [&](const auto& pair, const Vec3& from, const Vec3& to) { add(pair, from, to); });
     }
-    for (std::size_t s = 0; s < part.earlier.size(); ++s)
-      for (std::size_t i = 0; i < part.earlier_rays[s].size(); i += stride) {
-        const HitVoxels::Pair pair =
-            newest_hits.best_pair(part.earlier_rays[s][i], kLambda * cell, reach);
-        if (pair.on_ray < 0) {
-          add(pair, Vec3::Zero(), Vec3::Zero());
-          continue;
-        }
-        const Vec3 hit = part.cube.centre(pair.hit);
-        const Ray ray = part.earlier[s].view.ray(part.earlier[s].pixels[i]);
-        add(pair, ray.at((hit - ray.origin).dot(ray.direction)), hit);
-      }
   }
   out.energy = count ? sum / count : 0;
   return out;
@@ -192,9 +196,8 @@ Pose procrustes(const Skeleton& skeleton, const Pose& user, const std::vector<Po
 
 // The dolly: the root's place along the view axis, which the pairs determine poorly in perspective
 // (moving away looks like shrinking). Golden-section search over the pairs' energy.
-Pose dollied(const Document& document, std::vector<PartRays>& parts,
-             const std::vector<HitVoxels>& hits, const Pose& user, const Pose& pose,
-             const EulerLimits& limits, double span) {
+Pose dollied(const Document& document, std::vector<PartRays>& parts, const Pose& user,
+             const Pose& pose, const EulerLimits& limits, double span) {
   const auto moved = [&](double z) {
     Pose p = pose;
     p.root_position.z() += z;
@@ -202,7 +205,7 @@ Pose dollied(const Document& document, std::vector<PartRays>& parts,
   };
   const auto energy = [&](double z) {
     pose_newest(parts, document.skeleton, moved(z));
-    return match(parts, hits, 3).energy;
+    return match(parts, 3).energy;
   };
   constexpr int kSteps = 7;
   const Minimum best = golden_section(-span, span, kSteps, energy);
@@ -226,12 +229,8 @@ Result<Refined> refine(const Document& document, int newest, const Pose& user,
     const int side = kVoxels[level];
     std::vector<PartRays> parts = shared_parts(document, newest, side);
     if (parts.empty()) return out;
-    std::vector<HitVoxels> hits;
     double cube = 0;
-    for (const PartRays& part : parts) {
-      hits.emplace_back(part.cube, part.earlier_rays);
-      cube = std::max(cube, part.cube.cell * side);
-    }
+    for (const PartRays& part : parts) cube = std::max(cube, part.cube.cell * side);
     const bool single = parts.size() == 1 && parts[0].joint == 0;
     // The finest voxels would tell no more of the depth, at a dozen times the cost.
     const bool searching = document.camera.type == Camera::Type::perspective && level + 1 < kLevels;
@@ -242,7 +241,7 @@ Result<Refined> refine(const Document& document, int newest, const Pose& user,
     for (int i = 0; i <= kIterations; ++i) {
       if (run.cancelled()) return cancelled();
       pose_newest(parts, document.skeleton, pose);
-      const Matches matches = match(parts, hits, 1);
+      const Matches matches = match(parts, 1);
       if (level == 0 && i == 0) out.before = matches.energy;
       if (matches.energy < best_energy) {
         best_energy = matches.energy;
@@ -257,7 +256,7 @@ Result<Refined> refine(const Document& document, int newest, const Pose& user,
       pose = next;
       ++out.iterations;
       if (searching && i % kDollyEvery == kDollyEvery - 1) {
-        pose = dollied(document, parts, hits, user, pose, limits, span);
+        pose = dollied(document, parts, user, pose, limits, span);
         span *= 0.8;
       } else if (!searching && change < kSettled) {
         break;
@@ -274,6 +273,9 @@ Result<Refined> refine(const Document& document, int newest, const Pose& user,
 
 Result<Calibration> calibrate_paper(const Document& document, Run& run) {
   Calibration out;
+  if (document.calibration.scale)
+    out.warnings.push_back(
+        "the paper's method finds no drawing's scale: those given stay; --method rays finds them");
   Document found = document;
   const PoseLimits allowed = pose_limits(document);
   const EulerLimits limits{allowed.max_rotation, allowed.max_translation, allowed.free};

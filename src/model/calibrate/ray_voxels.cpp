@@ -71,22 +71,26 @@ struct HitVoxels::Tree {
   nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Tree>, Tree, 3> index;
 };
 
-HitVoxels::HitVoxels(const VoxelCube& cube, const std::vector<std::vector<std::vector<int>>>& rays)
-    : cube_(cube), hits_(std::size_t(cube.side) * cube.side * cube.side, 0) {
-  std::vector<int> last(hits_.size(), -1), touched;
-  for (int f = 0; f < int(rays.size()); ++f) {
-    frames_ += !rays[f].empty();
-    for (const std::vector<int>& ray : rays[f])
-      for (const int voxel : ray)
-        if (last[voxel] != f && hits_[voxel] < 255) {
-          if (last[voxel] < 0) touched.push_back(voxel);
-          last[voxel] = f;
-          ++hits_[voxel];
-        }
-  }
-  std::vector<std::vector<int>> voxels(std::min(frames_, 255));
-  for (const int v : touched)
-    for (int h = 0; h < hits_[v]; ++h) voxels[h].push_back(v);
+HitCount::HitCount(const VoxelCube& cube)
+    : hits_(std::size_t(cube.side) * cube.side * cube.side, 0) {}
+
+void HitCount::add(const VoxelRays& frame) {
+  ++frames_;
+  std::vector<char> counted(hits_.size(), 0);
+  for (const std::vector<int>& ray : frame)
+    for (const int voxel : ray)
+      if (!counted[voxel] && hits_[voxel] < 255) counted[voxel] = 1, ++hits_[voxel];
+}
+
+HitVoxels::HitVoxels(const VoxelCube& cube, const VoxelRays& frame, const HitCount& all)
+    : cube_(cube), all_(all), own_(std::size_t(cube.side) * cube.side * cube.side, 0) {
+  std::vector<std::vector<int>> voxels(std::min(all.frames(), 255));
+  for (const std::vector<int>& ray : frame)
+    for (const int voxel : ray) {
+      if (own_[voxel]) continue;
+      own_[voxel] = 1;
+      for (int h = 0; h < all.of(voxel); ++h) voxels[h].push_back(voxel);
+    }
   for (std::vector<int>& list : voxels)
     if (!list.empty()) at_least_.push_back(std::make_unique<Tree>(std::move(list), cube.side));
 }
@@ -99,14 +103,14 @@ HitVoxels::Pair HitVoxels::best_pair(const std::vector<int>& ray, double lambda,
   Pair best;
   best.cost = std::numeric_limits<double>::infinity();
   const auto offer = [&](int on_ray, int hit, double distance) {
-    const double cost = distance + lambda * (frames_ - hits_[hit]);
+    const double cost = distance + lambda * (all_.frames() - all_.of(hit));
     if (cost < best.cost) best = {on_ray, hit, distance, cost};
   };
-  // Voxels that the ray shares with the others come first: they cost no search, and bound it.
+  // Voxels that the ray shares with the frame come first: they cost no search, and bound it.
   for (const int voxel : ray)
-    if (hits_[voxel]) offer(voxel, voxel, 0);
+    if (own_[voxel]) offer(voxel, voxel, 0);
   for (int h = int(at_least_.size()); h-- > 0;) {
-    const double unseen = lambda * (frames_ - (h + 1));
+    const double unseen = lambda * (all_.frames() - (h + 1));
     const Tree& tree = *at_least_[h];
     for (std::size_t i = 0; i < ray.size();) {
       const double bound = std::min(reach, best.cost - unseen) / cube_.cell;

@@ -27,32 +27,46 @@ struct VoxelCube {
 // directions count where `whole_line`.
 std::vector<int> voxels_along(const VoxelCube& cube, const Ray& ray, bool whole_line);
 
-// The voxels hit by the rays of a set of frames, and for each by how many of them.
+// One frame's rays, each as the voxels that it passes through.
+using VoxelRays = std::vector<std::vector<int>>;
+
+// How many frames hit each voxel (the paper's nhits).
+class HitCount {
+ public:
+  explicit HitCount(const VoxelCube& cube);
+  void add(const VoxelRays& frame);  // counts as one, however many of its rays hit a voxel
+
+  int frames() const { return frames_; }  // the paper's ncam; those without a ray count, too
+  int of(int voxel) const { return hits_[voxel]; }
+
+ private:
+  int frames_ = 0;
+  std::vector<std::uint8_t> hits_;  // at most 255
+};
+
+// The voxels that one frame's rays hit.
 class HitVoxels {
  public:
-  // rays[f]: the voxel lists of frame f's rays.
-  HitVoxels(const VoxelCube& cube, const std::vector<std::vector<std::vector<int>>>& rays);
+  // `all` counts the frame itself and every other; it must outlive this.
+  HitVoxels(const VoxelCube& cube, const VoxelRays& frame, const HitCount& all);
   ~HitVoxels();
   HitVoxels(HitVoxels&&) noexcept;
-
-  int frames() const { return frames_; }  // frames with at least one ray
-  int hits(int voxel) const { return hits_[voxel]; }
 
   struct Pair {
     int on_ray = -1, hit = -1;  // voxels; −1: none nearer than the bound
     double distance = 0;        // units, between their centres
     double cost = 0;            // units: distance + λ (frames − hits)
   };
-  // The pair of a voxel of `ray` and a hit voxel of least cost (paper: distance + λ (ncam −
+  // The pair of a voxel of `ray` and one of the frame's of least cost (paper: distance + λ (ncam −
   // nhits)), among pairs no farther apart than `reach` units; lambda in units per missing frame.
   Pair best_pair(const std::vector<int>& ray, double lambda, double reach) const;
 
  private:
   struct Tree;
   VoxelCube cube_;
-  int frames_ = 0;
-  std::vector<std::uint8_t> hits_;               // per voxel, at most 255
-  std::vector<std::unique_ptr<Tree>> at_least_;  // voxels with 1, 2, … hits
+  const HitCount& all_;
+  std::vector<char> own_;                        // per voxel: the frame hits it
+  std::vector<std::unique_ptr<Tree>> at_least_;  // its voxels with 1, 2, … hits of all
 };
 
 }  // namespace artisketch
