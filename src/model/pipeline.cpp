@@ -10,6 +10,7 @@
 #include "base/words.h"
 #include "document/place_words.h"
 #include "model/calibrate/bends.h"
+#include "model/consolidate/consolidated.h"
 #include "model/one_order.h"
 #include "model/rig/snap_rims.h"
 #include "model/specks.h"
@@ -201,8 +202,9 @@ Result<Reconstruction> reconstruct_ordered(const Document& document, const Pipel
   stages.finish({{"parts", double(parts.size())}, {"cells", cells}, {"vertices", part_vertices}});
 
   stages.start("one skin", 0.8, 0.9);
-  Result<Mesh> mesh =
-      consolidate(drawn, out.parts, {!options.visual_hull, options.triangles}, out.warnings, run);
+  const bool by_paper = options.method == Method::paper;
+  Result<Mesh> mesh = (by_paper ? consolidated_by_paper : consolidate)(
+      drawn, out.parts, {!options.visual_hull, options.triangles}, out.warnings, run);
   if (!mesh) return mesh.error();
   if (run.trace) run.trace->add("skin", *mesh);
   const bool as_few_as_show = options.triangles == 0;
@@ -218,7 +220,7 @@ Result<Reconstruction> reconstruct_ordered(const Document& document, const Pipel
   if (!weights) return weights.error();
   stages.finish({{"unknowns", double(mesh->V.rows())}});
 
-  if (!options.visual_hull) {
+  if (!options.visual_hull && !by_paper) {  // the paper's part surfaces have their rims
     stages.start("rims", 0.95, 0.96);
     snap_rims(drawn, parts, *weights, *mesh, run);
     stages.finish({});

@@ -1,12 +1,15 @@
 // One skin from all parts (the paper's section 5): union, closed gaps, one surface, blended.
 //
-// We differ from the paper in what the spheres do: it unites them with the parts and then fairs all
-// vertices inside. A ball of 60 % of a limb's diameter stands out of the limb by a fifth of its
-// radius, so we only close inside it what a smaller ball can't enter, and fair the creases there.
+// The paper unites the spheres with the parts and then fairs all vertices inside:
+// SphereUse::united. A ball of 60 % of a limb's diameter stands out of the limb by a fifth of its
+// radius, so we only close inside it what a smaller ball can't enter, and fair the creases there. A
+// sphere that the artist made otherwise is meant to be seen: of it we unite what is as thick as the
+// limb was.
 #include <algorithm>
 #include <cmath>
 
 #include "base/self_intersection.h"
+#include "base/trigonometry.h"
 #include "base/well_composed.h"
 #include "base/words.h"
 #include "model/consolidate/bridge_parts.h"
@@ -30,9 +33,29 @@ constexpr double kMostAlongSide = 1e4;
 // has, their surfaces may come as near as the second.
 constexpr double kLatticeGap = 2, kFinalGap = 0.5;
 
+// The balls that are united with the parts. None reaches farther than the figure itself: a sphere
+// may be of any size.
+std::vector<Capsule> balls_of(const Document& document, std::span<const PartSurface> parts,
+                              const PartTree& tree, std::span<const JointSphere> spheres,
+                              SphereUse use) {
+  constexpr double kLimb = 1 / 1.2;  // a sphere has 60 % of the limb's diameter for a radius
+  Box3 all;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (tree.nodes[i].solid) all.extend(parts[i].distance.box());
+  std::vector<Capsule> balls;
+  for (const JointSphere& sphere : spheres) {
+    const bool is_united = use == SphereUse::united;
+    if (!is_united && !document.spheres.contains(sphere.joint)) continue;
+    const Vec3 centre = sphere.centre.cwiseMax(all.min()).cwiseMin(all.max());
+    const double radius = (is_united ? 1 : kLimb) * sphere.radius;
+    balls.push_back({{centre, centre}, std::min(radius, all.sizes().maxCoeff() / 2)});
+  }
+  return balls;
+}
+
 // The lattice's step: fine enough for the thinnest part, and for a surface of so many vertices.
-double cell_size(const PartTree& tree, std::span<const PartSurface> parts, int triangles,
-                 double vertices) {
+double cell_size(const PartTree& tree, std::span<const PartSurface> parts,
+                 std::span<const Capsule> balls, int triangles, double vertices) {
   double area = 0, stored = 0, thinnest = BlockGrid::kOutside;
   Box3 all;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -42,6 +65,13 @@ double cell_size(const PartTree& tree, std::span<const PartSurface> parts, int t
     stored += parts[i].distance.box().volume();
     all.extend(parts[i].distance.box());
   }
+  double of_balls = 0;
+  for (const Capsule& ball : balls) {
+    of_balls += 4 * kPi * ball.radius * ball.radius;
+    stored += ball.box().volume();
+    all.extend(ball.box());
+  }
+  area = std::max(area, of_balls);  // most lie in the parts, large ones around them
   // A lattice surface has about 1.5 vertices per cell² of area.
   const auto cell_for = [&](double vertices) { return std::sqrt(1.5 * area / vertices); };
   // Two triangles a vertex; parts hide some of their area in each other.
@@ -271,14 +301,16 @@ Result<Mesh> consolidate(const Document& document, std::span<const PartSurface> 
 
 Result<Mesh> consolidated(const Document& document, std::span<const PartSurface> parts,
                           const ConsolidateOptions& options, int vertices,
-                          std::vector<std::string>& warnings, Run& run) {
+                          std::vector<std::string>& warnings, Run& run, SphereUse use) {
   const PartTree tree = part_tree(document, parts);
   if (std::none_of(tree.nodes.begin(), tree.nodes.end(), [](const auto& n) { return n.solid; }))
     return bad_input("no part has a body: draw a closed contour for at least one joint");
   std::vector<JointSphere> spheres;
   if (options.blend) spheres = joint_spheres(document, parts, tree);
-  const double cell = cell_size(tree, parts, options.triangles, vertices);
+  const std::vector<Capsule> balls = balls_of(document, parts, tree, spheres, use);
+  const double cell = cell_size(tree, parts, balls, options.triangles, vertices);
   Body body(parts, tree, spheres, kLatticeGap * cell);
+  body.capsules = balls;
   Body::Sampled sampled;
   Surface surface;
   for (const bool bridged : {false, true}) {
@@ -289,9 +321,10 @@ Result<Mesh> consolidated(const Document& document, std::span<const PartSurface>
     const auto solid = [](double volume) { return volume > 0; };
     const std::vector<double>& volume = surface.found.volume;
     if (bridged || std::count_if(volume.begin(), volume.end(), solid) < 2) break;
-    body.capsules = bridge_parts(document, parts, tree, spheres,
-                                 pieces_of_parts(body, tree, surface), cell, warnings);
-    if (body.capsules.empty()) break;
+    const std::vector<Capsule> bridges = bridge_parts(
+        document, parts, tree, spheres, pieces_of_parts(body, tree, surface), cell, warnings);
+    if (bridges.empty()) break;
+    body.capsules.insert(body.capsules.end(), bridges.begin(), bridges.end());
   }
   run.report(0.5);
   QuadMesh mesh = only(surface.mesh, surface.found, surface.found.largest);
@@ -302,7 +335,10 @@ Result<Mesh> consolidated(const Document& document, std::span<const PartSurface>
   if (run.cancelled()) return cancelled();
   name_the_fused(document, parts, tree, mesh, projection, warnings);
   run.report(0.7);
-  fair(body, sampled, spheres, projection, mesh);
+  if (use == SphereUse::united)
+    fair_inside(balls, sampled.grid.cell, mesh);
+  else
+    fair(body, sampled, spheres, projection, mesh);
   Mesh skin{mesh.V, split_quads(mesh.V, mesh.Q)};
   back_to_lattice(lattice, skin);
   unfold(skin);
@@ -311,6 +347,12 @@ Result<Mesh> consolidated(const Document& document, std::span<const PartSurface>
                        " where parts crowd together");
   run.report(1);
   return skin;
+}
+
+Result<Mesh> consolidated_by_paper(const Document& document, std::span<const PartSurface> parts,
+                                   const ConsolidateOptions& options,
+                                   std::vector<std::string>& warnings, Run& run) {
+  return consolidated(document, parts, options, kSmoothVertices, warnings, run, SphereUse::united);
 }
 
 }  // namespace artisketch

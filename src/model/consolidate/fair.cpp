@@ -38,29 +38,9 @@ double blend_width(const Body& body, std::span<const int> near,
   return widest;
 }
 
-}  // namespace
-
-void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointSphere> spheres,
-          const SurfaceProjection& projection, QuadMesh& mesh) {
+// Moves the vertices with a width (in cells, per vertex) to where the bi-Laplacian is least.
+void smooth(const Adjacency& adjacency, const Eigen::VectorXd& width, QuadMesh& mesh) {
   const int n = int(mesh.V.rows());
-  const BlockGrid& grid = sampled.grid;
-  const Adjacency adjacency = quad_adjacency(mesh);
-  // Blend widths in cells; free vertices blend as wide as their neighbourhood asks, at least 3.
-  Eigen::VectorXd width = Eigen::VectorXd::Zero(n);
-  for (int v = 0; v < n; ++v) {
-    const Vec3 p = mesh.V.row(v).transpose();
-    if (projection.free[v]) {
-      width[v] = 1e3;
-      continue;
-    }
-    bool in_sphere = false;
-    for (const JointSphere& s : spheres)
-      in_sphere |= (p - s.centre).squaredNorm() < s.radius * s.radius;
-    if (!in_sphere) continue;
-    width[v] = blend_width(body, sampled.near_at(p), spheres, p,
-                           projection.normals.row(v).transpose(), projection.owner[v], grid.cell) /
-               grid.cell;
-  }
   std::vector<int> unknown(n, -1), moving;
   for (int v = 0; v < n; ++v)
     if (width[v] > 0.5) unknown[v] = int(moving.size()), moving.push_back(v);
@@ -102,6 +82,43 @@ void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointS
   const Points3 x = solver.solve(right);
   if (!x.allFinite()) return;
   for (int k = 0; k < m; ++k) mesh.V.row(moving[k]) = x.row(k);
+}
+
+constexpr double kFree = 1e3;  // cells: a width so large holds a vertex to nothing
+
+}  // namespace
+
+void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointSphere> spheres,
+          const SurfaceProjection& projection, QuadMesh& mesh) {
+  const int n = int(mesh.V.rows());
+  const BlockGrid& grid = sampled.grid;
+  const Adjacency adjacency = quad_adjacency(mesh);
+  // Blend widths in cells; free vertices blend as wide as their neighbourhood asks, at least 3.
+  Eigen::VectorXd width = Eigen::VectorXd::Zero(n);
+  for (int v = 0; v < n; ++v) {
+    const Vec3 p = mesh.V.row(v).transpose();
+    if (projection.free[v]) {
+      width[v] = kFree;
+      continue;
+    }
+    bool in_sphere = false;
+    for (const JointSphere& s : spheres)
+      in_sphere |= (p - s.centre).squaredNorm() < s.radius * s.radius;
+    if (!in_sphere) continue;
+    width[v] = blend_width(body, sampled.near_at(p), spheres, p,
+                           projection.normals.row(v).transpose(), projection.owner[v], grid.cell) /
+               grid.cell;
+  }
+  smooth(adjacency, width, mesh);
+}
+
+void fair_inside(std::span<const Capsule> balls, double cell, QuadMesh& mesh) {
+  Eigen::VectorXd width = Eigen::VectorXd::Zero(mesh.V.rows());
+  for (Eigen::Index v = 0; v < mesh.V.rows(); ++v)
+    for (const Capsule& ball : balls)
+      if (ball.distance(mesh.V.row(v).transpose()) < cell) width[v] = kFree;
+  if (width.minCoeff() > 0) return;  // nothing would hold the rest
+  smooth(quad_adjacency(mesh), width, mesh);
 }
 
 }  // namespace artisketch

@@ -12,4 +12,8 @@ namespace artisketch {
 void fair(const Body& body, const Body::Sampled& sampled, std::span<const JointSphere> spheres,
           const SurfaceProjection& projection, QuadMesh& mesh);
 
+// The same with every vertex in the balls or on them free, as the paper has it: `cell` (units) is
+// how far from a ball its own surface may lie on the lattice.
+void fair_inside(std::span<const Capsule> balls, double cell, QuadMesh& mesh);
+
 }  // namespace artisketch

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/self_intersection.h"
+#include "model/consolidate/consolidated.h"
 #include "model/consolidate/part_tree.h"
 #include "model/solid_parts.h"
 
@@ -280,6 +281,60 @@ TEST(JointSpheres, AreSixtyPercentOfTheLimbsDiameter) {
   EXPECT_EQ(tweaked[0].radius, 0.5);
   EXPECT_EQ(tweaked[0].centre, spheres[0].centre + Vec3(0, 0.1, 0));
   EXPECT_EQ(tweaked[1].radius, spheres[1].radius);
+}
+
+// A bent arm's skin with its elbow's sphere `times` as large as it comes by itself.
+Mesh with_elbow(double times, SphereUse use) {
+  const Figure arm = capsule_arm();
+  Document document = document_of(arm);
+  const std::vector<PartSurface> parts = surfaces_of(arm, 40);
+  const JointSphere elbow = joint_spheres(document, parts)[0];
+  if (times != 1) document.spheres[elbow.joint].radius = times * elbow.radius;
+  std::vector<std::string> warnings;
+  artisketch::Run run;
+  const Result<Mesh> mesh =
+      artisketch::consolidated(document, parts, {}, 20000, warnings, run, use);
+  EXPECT_TRUE(mesh);
+  return mesh ? *mesh : Mesh{};
+}
+
+TEST(JointSpheres, OneThatTheArtistMadeOtherwiseIsSeenInTheSkin) {
+  for (const SphereUse use : {SphereUse::closing, SphereUse::united}) {
+    const Mesh plain = with_elbow(1, use), large = with_elbow(2, use);
+    expect_one_clean_skin(large);
+    EXPECT_GT(std::abs(signed_volume(large) / signed_volume(plain) - 1), 0.03) << int(use);
+  }
+  // As thick as the limb was, times two: the ball itself stands out.
+  const Figure arm = capsule_arm();
+  const std::vector<PartSurface> parts = surfaces_of(arm, 40);
+  const JointSphere elbow = joint_spheres(document_of(arm), parts)[0];
+  const Mesh large = with_elbow(2, SphereUse::closing);
+  double out = 0;
+  for (int v = 0; v < large.V.rows(); ++v)
+    out = std::max(out, distance(arm, large.V.row(v).transpose()));
+  EXPECT_NEAR(out, elbow.radius / 1.2, 0.15 * elbow.radius);
+}
+
+TEST(JointSpheres, ArePartOfTheSkinByThePaperAlone) {
+  const Mesh ours = with_elbow(1, SphereUse::closing), papers = with_elbow(1, SphereUse::united);
+  const Figure arm = capsule_arm();
+  const auto farthest = [&](const Mesh& mesh) {
+    double out = 0;
+    for (int v = 0; v < mesh.V.rows(); ++v)
+      out = std::max(out, std::abs(distance(arm, mesh.V.row(v).transpose())));
+    return out;
+  };
+  EXPECT_GT(farthest(papers), 2 * farthest(ours));
+  expect_one_clean_skin(papers);
+}
+
+TEST(JointSpheres, OfAnySizeEndInASkin) {
+  for (const double times : {1e-6, 50.0, 1e9})
+    for (const SphereUse use : {SphereUse::closing, SphereUse::united}) {
+      const Mesh mesh = with_elbow(times, use);
+      EXPECT_TRUE(topology(mesh).manifold()) << times;
+      EXPECT_EQ(topology(mesh).components, 1) << times;
+    }
 }
 
 }  // namespace
