@@ -122,6 +122,7 @@ int check_verb(const Arguments& a) {
       faults.push_back(image.error().text());
   if (!faults.empty()) return fail({Error::Kind::bad_input, faults});
   print_warnings(drawing_words(*document, a.in));
+  print_warnings(open_contour_words(*document));
   if (!a.quiet)
     std::printf("%s: fine: %d drawings, %d joints, %d parts\n", a.in.c_str(),
                 int(document->frames.size()), document->skeleton.size(),

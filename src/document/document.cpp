@@ -49,6 +49,37 @@ Role role_of(const Document& document, int joint) {
   return found == document.parts.end() ? Role::body : found->second.role;
 }
 
+namespace {
+
+std::set<int> joints_with_closed_contours(const Document& document) {
+  std::set<int> joints;
+  for (const Frame& frame : document.frames)
+    for (const Contour& contour : frame.contours)
+      if (contour.line.closed) joints.insert(contour.joint);
+  return joints;
+}
+
+// A part that has open contours alone is drawn with them all the same: each that goes round an
+// area, from its end straight to its beginning, is closed so. Where none does, the part has no
+// body.
+void close_lone_strokes(Document& document) {
+  constexpr double kLeastArea = 0.01;  // pixels²
+  const std::set<int> whole = joints_with_closed_contours(document);
+  for (Frame& frame : document.frames)
+    for (Contour& contour : frame.contours) {
+      if (whole.contains(contour.joint) || contour.line.points.size() < 3) continue;
+      Polyline round = contour.line;
+      round.closed = true;
+      if (std::abs(signed_area(round)) > kLeastArea && !self_crossing(round)) contour.line = round;
+    }
+  const std::set<int> bodies = joints_with_closed_contours(document);
+  for (Frame& frame : document.frames)
+    std::erase_if(frame.contours,
+                  [&](const Contour& contour) { return !bodies.contains(contour.joint); });
+}
+
+}  // namespace
+
 Document with_shaping_contours(Document document) {
   for (Frame& frame : document.frames)
     std::erase_if(frame.contours, [&](const Contour& contour) {
@@ -61,6 +92,7 @@ Document with_shaping_contours(Document document) {
   for (int f = 0; f < int(document.frames.size()); ++f) any = any || tells(f);
   for (int f = 0; any && f < int(document.frames.size()); ++f)
     if (!is_posed(document, f)) document.frames[f].contours.clear();
+  close_lone_strokes(document);
   return document;
 }
 

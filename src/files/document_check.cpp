@@ -102,17 +102,42 @@ void check_frame(const Document& document, std::size_t f, const JsonPath& at, Fa
 
 }  // namespace
 
+std::vector<std::string> open_contour_words(const Document& document) {
+  std::set<int> closed, open;
+  for (const Frame& frame : document.frames)
+    for (const Contour& contour : frame.contours)
+      (contour.line.closed ? closed : open).insert(contour.joint);
+  const std::vector<int> shaping = drawn_joints(with_shaping_contours(document));
+  std::vector<std::string> words;
+  for (const int joint : open)
+    if (!closed.contains(joint))
+      words.push_back(in_quotes(name_of_joint(document, joint)) +
+                      (std::find(shaping.begin(), shaping.end(), joint) != shaping.end()
+                           ? " has open contours alone: they are closed by straight lines"
+                           : " has open contours alone, and none goes round an area: no part is "
+                             "made of it"));
+  for (std::size_t f = 0; f < document.frames.size(); ++f) {
+    std::set<int> named;
+    for (const Contour& contour : document.frames[f].contours)
+      if (!contour.line.closed && closed.contains(contour.joint) &&
+          named.insert(contour.joint).second)
+        words.push_back(
+            frame_words(document, f) + ": an open contour of " +
+            in_quotes(name_of_joint(document, contour.joint)) +
+            " shapes nothing, but that --method paper draws the surface to it. Close it, "
+            "if it goes round the part");
+  }
+  return words;
+}
+
 Result<Done> check_document(const Document& document, const std::string& file) {
   Faults faults(file);
   const JsonPath root, frames = root / "frames";
-  bool closed = false;
-  for (std::size_t f = 0; f < document.frames.size(); ++f) {
+  for (std::size_t f = 0; f < document.frames.size(); ++f)
     check_frame(document, f, frames / f, faults);
-    for (const Contour& contour : document.frames[f].contours) closed |= contour.line.closed;
-  }
   if (document.frames.empty())
     faults.add(frames, "is empty; should have at least one frame");
-  else if (!closed)
+  else if (drawn_joints(with_shaping_contours(document)).empty())
     faults.add(frames,
                "have no closed contour: no part has a body; should have one for at least "
                "one joint");

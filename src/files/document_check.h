@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "document/document.h"
@@ -13,5 +14,8 @@ namespace artisketch {
 // don't cancel out by the even-odd rule; at least one is closed; what is drawn stands before a
 // perspective camera. All faults in one Error, a line each, as parse_document's.
 Result<Done> check_document(const Document& document, const std::string& file);
+
+// Warnings: which open contours shape nothing, and where a part has no others.
+std::vector<std::string> open_contour_words(const Document& document);
 
 }  // namespace artisketch

@@ -230,6 +230,8 @@ TEST_F(CommandLine, CheckFindsWhatReconstructFailsAt) {
   const std::string outline = "[[10,10],[90,10],[50,90]]";
   const std::string one = R"({"joint":"body","points":)" + outline + "}";
   const std::string line = R"({"joint":"body","closed":false,"points":)" + outline + "}";
+  const std::string flat = R"({"joint":"body","closed":false,"points":[[10,10],[90,10]]})";
+  const std::string flat_tip = R"({"joint":"tip","closed":false,"points":[[10,10],[90,10]]})";
   const std::string turned = R"({"joint":"body","points":[[50,90],[10,10],[90,10]]})";
   const auto with = [&](const std::string& contours) {
     return document(
@@ -241,7 +243,7 @@ TEST_F(CommandLine, CheckFindsWhatReconstructFailsAt) {
     std::string contours;
     const char* says;
   } cases[] = {{"", "no closed contour"},
-               {line, "no closed contour"},
+               {flat, "no closed contour"},
                {one + "," + one, "cancel out"},
                {one + "," + turned, "cancel out"}};
   for (const auto& c : cases) {
@@ -253,6 +255,22 @@ TEST_F(CommandLine, CheckFindsWhatReconstructFailsAt) {
     EXPECT_NE(err.find(c.says), std::string::npos) << err;
   }
   EXPECT_EQ(run({"check", write("good.artisketch", with(one + "," + line))}), 0) << err;
+  EXPECT_NE(err.find("frame 1 'front': an open contour of 'body' shapes nothing"), err.npos) << err;
+  std::string tip = line;
+  tip.replace(tip.find("body"), 4, "tip");
+  EXPECT_EQ(run({"check", write("tip.artisketch", with(one + "," + tip))}), 0) << err;
+  EXPECT_NE(err.find("'tip' has open contours alone: they are closed by"), err.npos) << err;
+  EXPECT_EQ(run({"check", write("tip.artisketch", with(one + "," + flat_tip))}), 0) << err;
+  EXPECT_NE(err.find("none goes round an area: no part is made of it"), err.npos) << err;
+  for (const std::string& more : {line, flat_tip}) {
+    for (const auto& [contours, to] :
+         {std::pair(one, "a.ply"), std::pair(one + "," + more, "b.ply")})
+      EXPECT_EQ(run({"reconstruct", write("c.artisketch", with(contours)), "-o", path(to), "--grid",
+                     "16"}),
+                0)
+          << err;
+    EXPECT_EQ(*read_file(path("a.ply")), *read_file(path("b.ply"))) << more;
+  }
 }
 
 // A body and an arm in two drawings, whose unit is so many pixels.

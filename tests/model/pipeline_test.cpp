@@ -81,6 +81,21 @@ TEST_P(Pipeline, TheHerosSilhouettesFit) {
   for (const FrameFit& fit : result->fits) EXPECT_GE(fit.iou, fits);
 }
 
+TEST_P(Pipeline, APartOfOpenContoursAloneIsMadeOfThem) {
+  PipelineOptions options;
+  options.method = GetParam();
+  options.grid = 32;
+  artisketch::Run run;
+  Document open = example("heart");
+  const auto closed = reconstruct(open, options, run);
+  for (Frame& frame : open.frames)
+    for (Contour& contour : frame.contours) contour.line.closed = false;
+  const auto made = reconstruct(open, options, run);
+  ASSERT_TRUE(closed && made) << made.error().text();
+  EXPECT_EQ(made->model.mesh.V, closed->model.mesh.V);
+  EXPECT_FALSE(made->calibrated.frames[0].contours[0].line.closed) << "the drawing stays as it is";
+}
+
 TEST(Pipeline, TheDocumentsSettingsStandOverTheDefaultsWhereTheySayAnything) {
   PipelineOptions usual;
   usual.grid = 64;
