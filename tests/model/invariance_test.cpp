@@ -2,11 +2,13 @@
 // the joints stand, how large the scene is, where it stands in the picture and how that is turned.
 #include <algorithm>
 #include <functional>
+#include <random>
 
 #include <gtest/gtest.h>
 
 #include "document/edit.h"
 #include "figures.h"
+#include "files/document_file.h"
 #include "model/one_order.h"
 #include "model/stages.h"
 
@@ -224,6 +226,33 @@ TEST(Invariance, TheResultMovesWithTheScene) {
       }
   }
   moved_to("turned in the picture", turned, 1, kWithinACell);
+}
+
+// The robot's antenna is thin, and what tells its depth is a guess: it either stood or fell by the
+// last bits of the numbers.
+TEST(Invariance, AMillionthOfAPixelTakesNoAntenna) {
+  const Result<Document> robot =
+      read_document(ARTISKETCH_SOURCE_DIR "/assets/examples/robot/robot.artisketch");
+  ASSERT_TRUE(robot);
+  PipelineOptions options;
+  options.grid = 48;
+  options.texture = false;
+  const auto size_of = [&](const Document& document) {
+    artisketch::Run run;
+    const Result<Reconstruction> result = reconstruct(document, options, run);
+    EXPECT_TRUE(result);
+    return result ? Vec3(bounds(result->model.mesh.V).sizes()) : Vec3::Zero().eval();
+  };
+  const Vec3 before = size_of(*robot);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> shift(-1e-6, 1e-6);
+  for (int time = 0; time < 4; ++time) {
+    Document moved = *robot;
+    for (Frame& frame : moved.frames)
+      for (Contour& contour : frame.contours)
+        for (Vec2& p : contour.line.points) p += Vec2(shift(random), shift(random));
+    EXPECT_LT((size_of(moved) - before).cwiseAbs().maxCoeff(), 0.005 * before.maxCoeff()) << time;
+  }
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace artisketch {
 struct Silhouette {
   const PartView* view = nullptr;
   DistanceRaster raster;
-  double grown = 0;                // pixels given to the outline all round
-  bool bounds_only = false;        // tells where the part can't be, not where its rim is
+  double grown = 0;  // pixels given to the outline all round
+  double trust = 1;  // 0 … 1: how much it says of where its rim is, beside where the part can't be
   Vec3 direction = Vec3::UnitZ();  // of the ray through the outline's middle, away from the camera
 
   Silhouette(const PartView& view, int cells);

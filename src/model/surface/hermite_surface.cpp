@@ -108,11 +108,11 @@ HermiteSurface::HermiteSurface(std::span<const SurfacePoint> points,
               -3 * (r * way_i[u].dot(way_j[v]) + per_r * d.dot(way_i[u]) * along_j);
       }
     }
-    K(j, j) += options.value_ridge;
+    K(j, j) += options.value_ridge / points[j].weight;
     P(j, 0) = 1;
     P.block<1, 3>(j, 1) = c[j].transpose();
     for (int v = 0; v < 2; ++v) {
-      K(n + 2 * j + v, n + 2 * j + v) += options.slope_ridge;
+      K(n + 2 * j + v, n + 2 * j + v) += options.slope_ridge / points[j].weight;
       P.block<1, 3>(n + 2 * j + v, 1) = way_j[v].transpose();
     }
     rhs[n + 2 * j] = 1;

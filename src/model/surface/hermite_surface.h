@@ -16,8 +16,9 @@ namespace artisketch {
 // A point where a surface touches a line of sight.
 struct SurfacePoint {
   Vec3 position;
-  Vec3 normal;  // unit, outward
-  Vec3 sight;   // unit, across the normal: the way along which the surface turns away
+  Vec3 normal;        // unit, outward
+  Vec3 sight;         // unit, across the normal: the way along which the surface turns away
+  double weight = 1;  // over 0: how much it counts beside the others
 };
 
 inline constexpr int kFewestSurfacePoints = 2;  // fewer determine nothing beside a linear function

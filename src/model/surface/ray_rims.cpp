@@ -217,7 +217,8 @@ std::vector<SurfacePoint> surface_points(const Carving& carving, const std::vect
           view.to_world.linear().transpose() * (view.camera.jacobian(X).transpose() * ray.outward);
       if (!(along.norm() > 0)) continue;
       const Vec3 n = along.normalized();
-      points.push_back({p, n, (ray.ray.direction - ray.ray.direction.dot(n) * n).normalized()});
+      points.push_back({p, n, (ray.ray.direction - ray.ray.direction.dot(n) * n).normalized(),
+                        carving.views[rim.view].trust});
     }
   }
   const std::size_t all = points.size();
