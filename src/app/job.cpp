@@ -104,8 +104,20 @@ Result<JobResult> run_spheres(const Document& document, const JobRequest& reques
   return out;
 }
 
+Result<JobResult> run_sprites(const JobRequest& request, Run& run) {
+  run.now.stage = "drawing sprites";
+  const Result<Model> model = read_glb(request.glb, "the model");
+  if (!model) return model.error();
+  Result<std::string> archive = sprite_zip(*model, request.sprites, request.name, &run);
+  if (!archive) return archive.error();
+  JobResult out;
+  out.sprites = std::move(*archive);
+  return out;
+}
+
 Result<JobResult> run_unguarded(const JobRequest& request, Run& run) {
   if (request.kind == JobRequest::Kind::parts) return run_parts(request, run);
+  if (request.kind == JobRequest::Kind::sprites) return run_sprites(request, run);
   const Result<Document> document = parse_document(request.document, kFaultsCallIt);
   if (!document) return document.error();
   if (request.kind == JobRequest::Kind::spheres) return run_spheres(*document, request, run);

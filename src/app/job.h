@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "files/sprites.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -17,12 +18,17 @@ struct JobRequest {
     calibrate,    // poses alone
     parts,        // some parts' surfaces, for a picture while their document is edited
     spheres,      // those that join the parts of a document as it is posed, and nothing else
+    sprites,      // a sheet of one of a model's clips
   };
   Kind kind = Kind::reconstruct;
   std::string document;     // as document_text writes it; drawings, where wanted, as data: URIs
   std::vector<Part> parts;  // in place of a document, where parts alone are wanted
   // Of a calibration only the method counts; drawings come from `document`.
   PipelineOptions options;
+  // Of sprites, in place of a document: the model, what is wanted of it, and their files' name.
+  std::string glb;
+  SpriteOptions sprites;
+  std::string name;
 };
 
 // A part for a picture: not one triangle more than its outlines need.
@@ -43,6 +49,7 @@ struct JobResult {
   std::vector<std::string> undetermined;  // angles that the silhouettes leave open, in words
   std::vector<std::string> warnings;
   std::vector<PartMesh> parts;  // of a job for parts alone, as the request has them
+  std::string sprites;          // an archive, as of sprite_zip
 };
 
 // Does the job on this thread. Fails as the stages do, and on a document that cannot be read; lack

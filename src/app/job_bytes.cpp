@@ -72,7 +72,13 @@ constexpr int kMostInt = std::numeric_limits<int>::max();
 
 // Each choice from the first to the last of them is one.
 constexpr JobRequest::Kind last_choice(JobRequest::Kind) {
-  return JobRequest::Kind::spheres;
+  return JobRequest::Kind::sprites;
+}
+constexpr Light last_choice(Light) {
+  return Light::toon;
+}
+constexpr SheetLayout last_choice(SheetLayout) {
+  return SheetLayout::hash;
 }
 constexpr Method last_choice(Method) {
   return Method(std::size(kMethodNames) - 1);
@@ -209,9 +215,19 @@ void field(Archive& a, T& o) {
   between(a, o.triangles, 0, kMostInt), field(a, o.mirror), field(a, o.texture);
 }
 
+template <class Archive, Is<SpriteOptions> T>
+void field(Archive& a, T& o) {
+  field(a, o.clip), between(a, o.directions, 1, 16), between(a, o.size, 8, 1024);
+  a.must(o.directions > 0 && 16 % o.directions == 0);
+  between(a, o.rate, 1, 60), between(a, o.padding, 0, 64), field(a, o.pitch), field(a, o.light);
+  field(a, o.ink), between(a, o.pixels, 0, 16), field(a, o.normals), field(a, o.depth);
+  field(a, o.layout);
+}
+
 template <class Archive, Is<JobRequest> T>
 void field(Archive& a, T& r) {
   field(a, r.kind), field(a, r.document), field(a, r.parts), field(a, r.options);
+  field(a, r.glb), field(a, r.sprites), field(a, r.name);
 }
 
 template <class Archive, Is<Progress> T>
@@ -267,7 +283,7 @@ template <class Archive, Is<JobResult> T>
 void field(Archive& a, T& r) {
   field(a, r.document), field(a, r.glb), field(a, r.report), field(a, r.fits);
   field(a, r.coverage), field(a, r.spheres), field(a, r.undetermined), field(a, r.warnings);
-  field(a, r.parts);
+  field(a, r.parts), field(a, r.sprites);
 }
 
 template <class Archive, Is<Error> T>

@@ -190,7 +190,7 @@ Result<const Clip*> clip_named(const Model& model, const std::string& name) {
 }  // namespace
 
 Result<SpriteSheet> sprite_sheet(const Model& model, const SpriteOptions& options,
-                                 const std::string& image_name) {
+                                 const std::string& image_name, Run* run) {
   const Result<const Clip*> clip = clip_named(model, options.clip);
   if (!clip) return clip.error();
   const Stage stage = stage_of(model, **clip, options);
@@ -214,6 +214,10 @@ Result<SpriteSheet> sprite_sheet(const Model& model, const SpriteOptions& option
                          {"to", (d + 1) * columns - 1},
                          {"direction", "forward"}});
     for (int k = 0; k < columns; ++k) {
+      if (run) {
+        if (run->cancelled()) return cancelled();
+        run->report(double(d * columns + k) / double(options.directions * columns));
+      }
       const int x = gap + k * (stage.width + gap), y = gap + d * (stage.height + gap);
       const Pictures one =
           drawn(stage, options, stage.shapes[std::size_t(k)], stage.views[std::size_t(d)], palette);
@@ -232,9 +236,9 @@ Result<SpriteSheet> sprite_sheet(const Model& model, const SpriteOptions& option
 }
 
 Result<std::vector<FileInside>> sprite_files(const Model& model, const SpriteOptions& options,
-                                             const std::string& name) {
+                                             const std::string& name, Run* run) {
   const std::string image = name + ".png";
-  const Result<SpriteSheet> sheet = sprite_sheet(model, options, image);
+  const Result<SpriteSheet> sheet = sprite_sheet(model, options, image, run);
   if (!sheet) return sheet.error();
   std::vector<FileInside> files{{image, png_bytes(sheet->image)}, {name + ".json", sheet->json}};
   if (options.normals) files.push_back({beside(image, "_n"), png_bytes(sheet->normals)});
@@ -243,8 +247,8 @@ Result<std::vector<FileInside>> sprite_files(const Model& model, const SpriteOpt
 }
 
 Result<std::string> sprite_zip(const Model& model, const SpriteOptions& options,
-                               const std::string& name) {
-  const Result<std::vector<FileInside>> files = sprite_files(model, options, name);
+                               const std::string& name, Run* run) {
+  const Result<std::vector<FileInside>> files = sprite_files(model, options, name, run);
   if (!files) return files.error();
   return zip_bytes(*files);
 }

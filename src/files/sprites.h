@@ -8,6 +8,7 @@
 #include "files/image_file.h"
 #include "files/render.h"
 #include "files/zip.h"
+#include "model/run.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -42,15 +43,15 @@ struct SpriteSheet {
 // place. Clips that go round leave out their last pose, which is the first. Normals are as
 // RenderLook has them; depth goes from the whole figure's farthest (0) to its nearest (255) over
 // all the sprites. Fails where there is no such clip or the sheet would be larger than 16384 pixels
-// a side.
+// a side. `run`, where it is given, hears how far it is, and may stop it.
 Result<SpriteSheet> sprite_sheet(const Model& model, const SpriteOptions& options,
-                                 const std::string& image_name);
+                                 const std::string& image_name, Run* run = nullptr);
 
 // The same as files: NAME.png, NAME.json, and NAME_n.png, NAME_d.png where asked for.
 Result<std::vector<FileInside>> sprite_files(const Model& model, const SpriteOptions& options,
-                                             const std::string& name);
+                                             const std::string& name, Run* run = nullptr);
 // And in one archive.
 Result<std::string> sprite_zip(const Model& model, const SpriteOptions& options,
-                               const std::string& name);
+                               const std::string& name, Run* run = nullptr);
 
 }  // namespace artisketch

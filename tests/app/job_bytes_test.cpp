@@ -88,6 +88,28 @@ TEST(JobBytes, PartsOfARequestSurvive) {
   EXPECT_EQ(back->parts[0].views[0].outline.distance(at), part.views[0].outline.distance(at));
 }
 
+TEST(JobBytes, WhatIsWantedOfSpritesSurvives) {
+  JobRequest request;
+  request.kind = JobRequest::Kind::sprites;
+  request.glb = std::string("glTF\0\1", 6);
+  request.sprites = {"walk",      16,    64, 8,    3,    0.5,
+                     Light::toon, false, 2,  true, true, SheetLayout::hash};
+  request.name = "fox";
+  const auto back = read_job_request(job_bytes(request));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->glb, request.glb);
+  EXPECT_EQ(back->name, "fox");
+  EXPECT_EQ(back->sprites.clip, "walk");
+  EXPECT_EQ(back->sprites.directions, 16);
+  EXPECT_EQ(back->sprites.light, Light::toon);
+  EXPECT_EQ(back->sprites.layout, SheetLayout::hash);
+  EXPECT_TRUE(back->sprites.normals && back->sprites.depth && !back->sprites.ink);
+  for (const int directions : {0, 3, 17, -4}) {
+    request.sprites.directions = directions;
+    EXPECT_FALSE(read_job_request(job_bytes(request))) << directions;
+  }
+}
+
 TEST(JobBytes, ProgressSurvives) {
   const auto back = read_job_progress(job_bytes(Progress{"surfaces", "forearm.L", 7, 15, 0.625}));
   ASSERT_TRUE(back);
@@ -215,7 +237,7 @@ TEST(JobBytes, ChoicesThatThereAreNotAreRefused) {
   JobRequest other = plain;
   other.kind = Kind::spheres;
   const std::string bytes = job_bytes(plain);
-  for (const int choice : {4, -1, 1 << 30}) {
+  for (const int choice : {5, -1, 1 << 30}) {
     std::string wrong = bytes;
     std::memcpy(wrong.data() + difference(bytes, job_bytes(other)), &choice, sizeof choice);
     EXPECT_FALSE(read_job_request(wrong)) << choice;

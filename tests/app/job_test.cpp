@@ -46,6 +46,30 @@ TEST(Job, MakesWhatReconstructMakes) {
   EXPECT_NE(job->report.find("\"stages\""), std::string::npos);
 }
 
+TEST(Job, SpritesAreThoseOfTheModelAndMayBeStopped) {
+  artisketch::Run run;
+  JobRequest request;
+  request.kind = Kind::sprites;
+  request.glb = run_job(heart(), run)->glb;
+  request.sprites.directions = 4;
+  request.sprites.size = 32;
+  request.sprites.clip = read_glb(request.glb, "heart")->clips.at(0).name;
+  request.name = "heart";
+  double last = 0;
+  run.on_progress = [&](const Progress& now) { last = now.fraction; };
+  const auto job = run_job(request, run);
+  ASSERT_TRUE(job) << job.error().text();
+  EXPECT_EQ(job->sprites, *sprite_zip(*read_glb(request.glb, "heart"), request.sprites, "heart"));
+  EXPECT_GT(last, 0.5);
+  const std::atomic<bool> stop = true;
+  run.cancel = &stop;
+  const auto stopped = run_job(request, run);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().kind, Error::Kind::cancelled);
+  request.sprites.clip = "none of these";
+  EXPECT_FALSE(run_job(request, run));
+}
+
 TEST(Job, PartsAloneComeAsTheyWereAskedForAndSayHowTheyFit) {
   const Document document = *parse_document(example_text("hero"), "hero");
   JobRequest request;

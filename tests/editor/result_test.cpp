@@ -426,6 +426,16 @@ TEST_F(ResultMode, SpritesAreTheCommandLinesByteForByte) {
   for (const char* choice : {"Sides 4", "Size 64", "A second 8", "Padding 1", "Light Toon",
                              "Pixels 2", "JSON By name", "Normals", "Depth"})
     h.click(choice);
+  h.jobs.held = true;
+  h.click("Export hero.zip");
+  h.frame();
+  EXPECT_FALSE(h.find("Export hero.zip")->enabled);
+  EXPECT_TRUE(h.state().busy);
+  h.click("Cancel");
+  EXPECT_FALSE(h.state().busy);
+  EXPECT_FALSE(h.platform.files.contains("/kept/hero.zip"));
+  h.jobs.held = false;
+  h.frame();
   h.click("Export hero.zip");
   ASSERT_TRUE(h.platform.files.contains("/kept/hero.zip"));
 

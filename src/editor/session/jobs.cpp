@@ -17,9 +17,16 @@ void start_job(App& app, JobRequest::Kind kind) {
   request.document = document_text(app.services.drawings.whole(app.document()));
   request.options.grid = app.services.platform.default_grid();
   request.options = with_settings(request.options, app.document().settings);
-  app.session.job = RunningJob{kind, app.session.history.revision(), app.document()};
+  app.session.job = RunningJob{kind, app.session.history.revision(), app.document(), {}};
   // Whoever starts a job from the welcome goes on with its document.
   if (app.view.welcome) perform(app, "mode_result");
+  app.services.jobs.start(std::move(request));
+}
+
+void start_sprites(App& app, JobRequest request, std::function<void(JobResult)> then) {
+  request.kind = JobRequest::Kind::sprites;
+  app.session.job =
+      RunningJob{request.kind, app.session.history.revision(), Document(), std::move(then)};
   app.services.jobs.start(std::move(request));
 }
 
@@ -113,11 +120,15 @@ void collect_job(App& app) {
     toast.error = error.kind != Error::Kind::cancelled;
     if (toast.error) {
       toast.action = "Try again";
-      toast.act = [&app, kind = job.kind] { start_job(app, kind); };
+      toast.act = [&app, kind = job.kind] {
+        if (kind == JobRequest::Kind::sprites) return perform(app, "export_as_it_is");
+        start_job(app, kind);
+      };
     }
     app.say(std::move(toast));
     return;
   }
+  if (job.then) return job.then(std::move(outcome->value()));
   if (job.kind == JobRequest::Kind::reconstruct)
     take_model(app, std::move(job), std::move(outcome->value()));
   else

@@ -118,7 +118,7 @@ void ask_for_parts(App& app, const Document& document, bool of_proposal) {
   }
   const long revision = app.session.history.revision();
   if (request.parts.empty()) return take_awaited(app, revision);
-  app.session.job = RunningJob{request.kind, revision, {}};
+  app.session.job = RunningJob{request.kind, revision, {}, {}};
   app.services.jobs.start(std::move(request));
 }
 
@@ -132,7 +132,7 @@ void ask_for_spheres(App& app) {
   request.kind = JobRequest::Kind::spheres;
   request.document = document_text(app.session.built->document);
   request.options.grid = kGrid;
-  app.session.job = RunningJob{request.kind, app.session.history.revision(), {}};
+  app.session.job = RunningJob{request.kind, app.session.history.revision(), {}, {}};
   app.services.jobs.start(std::move(request));
 }
 

@@ -1,6 +1,7 @@
 // All that goes with one document: opening or making a document replaces it whole.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -197,10 +198,12 @@ struct Backup {
 struct RunningJob {
   JobRequest::Kind kind = JobRequest::Kind::reconstruct;
   long revision = -1;
-  Document document;  // of a model
+  Document document;                    // of a model
+  std::function<void(JobResult)> then;  // what becomes of sprites
   // The person waits for it.
   bool awaited() const {
-    return kind == JobRequest::Kind::reconstruct || kind == JobRequest::Kind::calibrate;
+    return kind == JobRequest::Kind::reconstruct || kind == JobRequest::Kind::calibrate ||
+           kind == JobRequest::Kind::sprites;
   }
 };
 

@@ -231,7 +231,8 @@ void export_button(App& app, Rect foot) {
   Look primary;
   primary.primary = true;
   primary.icon = icon::kDownload;
-  const bool waits = app.session.export_wish.waits && app.busy();
+  const bool draws = app.busy() && app.session.job->kind == JobRequest::Kind::sprites;
+  const bool waits = draws || (app.session.export_wish.waits && app.busy());
   primary.enabled = available(app, "export_file") && !waits;
   const ExportFormat& format = export_formats()[app.view.export_choice.format];
   if (button("Export " + export_name(app, format), foot.cut_top(44), primary))
@@ -239,6 +240,7 @@ void export_button(App& app, Rect foot) {
   if (foot.h < 30) return;
   write(foot.cut_top(30), Font::small, theme().muted,
         !app.session.built    ? "Reconstruct first."
+        : draws               ? "Drawing the sprites."
         : waits               ? "Making it first, as you changed it."
         : app.session.stale() ? "The model is made again first: you changed it."
                               : "Saved here. Nothing is uploaded.",

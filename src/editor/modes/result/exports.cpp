@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "editor/session/files.h"
+#include "editor/session/jobs.h"
 #include "editor/ui/icons.h"
 #include "files/gltf.h"
 #include "files/gltf_compress.h"
@@ -78,17 +79,6 @@ Result<std::string> as_vrm(const App& app) {
   return packed(app, vrm_bytes(chosen_model(app), *meta));
 }
 
-// What the command line makes of the same model's GLB.
-Result<std::string> as_sprites(const App& app) {
-  const Result<std::string> glb = app.session.built->clips_edited
-                                      ? glb_bytes(app.session.built->model)
-                                      : app.session.built->glb;
-  if (!glb) return glb;
-  const Result<Model> model = read_glb(*glb, "the model");
-  if (!model) return model.error();
-  return sprite_zip(*model, sprite_wish(app), export_stem(app));
-}
-
 // The model with its surface as the view shows it.
 Model posed(const App& app) {
   Model model = app.session.built->model;
@@ -125,7 +115,7 @@ constexpr ExportFormat kFormats[] = {
     {"STL", "for 3D printing, in this pose", icon::kGrid, ".stl", as_stl},
     {"PLY", "the shape with its colours", icon::kPalette, ".ply", as_ply},
     {"PNG", "from here, or from 8 sides", icon::kImage, ".png", as_picture},
-    {"Sprites", "a sheet of the chosen clip", icon::kImageMultiple, ".zip", as_sprites},
+    {"Sprites", "a sheet of the chosen clip", icon::kImageMultiple, ".zip", nullptr},
 };
 
 }  // namespace
@@ -164,14 +154,7 @@ void ask_for_author(App& app) {
   app.question = std::move(question);
 }
 
-}  // namespace
-
-void export_model(App& app) {
-  const ExportFormat& format = export_formats()[app.view.export_choice.format];
-  if (format.bytes == as_vrm && !vrm_meta(app.document(), "")) return ask_for_author(app);
-  Result<std::string> bytes = format.bytes(app);
-  if (!bytes) return complain(app, bytes.error());
-  const std::string name = export_name(app, format);
+void save_export(App& app, const std::string& name, std::string bytes) {
   const auto done = [&app](Result<Platform::Saved> saved) {
     if (!saved) return complain(app, saved.error());
     Toast toast;
@@ -179,17 +162,48 @@ void export_model(App& app) {
     app.say(std::move(toast));
   };
   if (app.services.platform.has_dialogs())
-    return app.services.platform.save_file(name, "", std::move(*bytes), done);
+    return app.services.platform.save_file(name, "", std::move(bytes), done);
   Question question;
   question.title = "Export";
   question.words = "Where to, and under which name?";
   question.asks_path = true;
   question.path = name;
-  question.with_path = [&app, name, bytes = std::move(*bytes), done](const std::string& path) {
+  question.with_path = [&app, name, bytes = std::move(bytes), done](const std::string& path) {
     app.services.platform.save_file(name, path, bytes, done);
   };
   question.answers = {{"Export", {}, true}, {"Cancel", {}}};
   app.question = std::move(question);
+}
+
+// What the command line makes of the same model's GLB. It takes seconds: away from what draws.
+void export_sprites(App& app) {
+  if (app.busy()) {
+    Toast toast;
+    toast.words = "Something else is being made: export when it is there.";
+    return app.say(std::move(toast));
+  }
+  Result<std::string> glb = app.session.built->clips_edited
+                                ? glb_bytes(app.session.built->model)
+                                : Result<std::string>(app.session.built->glb);
+  if (!glb) return complain(app, glb.error());
+  JobRequest request;
+  request.glb = std::move(*glb);
+  request.sprites = sprite_wish(app);
+  request.name = export_stem(app);
+  const std::string file = request.name + ".zip";
+  start_sprites(app, std::move(request),
+                [&app, file](JobResult made) { save_export(app, file, std::move(made.sprites)); });
+}
+
+}  // namespace
+
+void export_model(App& app) {
+  const ExportFormat& format = export_formats()[app.view.export_choice.format];
+  if (!format.bytes) return export_sprites(app);
+  if (format.bytes == as_vrm && !vrm_meta(app.document(), "")) return ask_for_author(app);
+  Result<std::string> bytes = format.bytes(app);
+  if (!bytes) return complain(app, bytes.error());
+  save_export(app, export_name(app, format), std::move(*bytes));
 }
 
 }  // namespace artisketch

@@ -13,7 +13,7 @@ struct ExportFormat {
   const char* about;
   const char* icon;
   const char* ending;
-  Result<std::string> (*bytes)(const App& app);
+  Result<std::string> (*bytes)(const App& app);  // null: a job makes them
 };
 std::span<const ExportFormat> export_formats();
 std::string export_name(const App& app, const ExportFormat& format);
