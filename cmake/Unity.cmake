@@ -33,7 +33,7 @@ set(alone
 )
 list(TRANSFORM alone PREPEND "${PROJECT_SOURCE_DIR}/")
 
-set(targets artisketch_core artisketch_editor artisketch_figures artisketch_tests artisketch_editor_tests
+set(targets artisketch_core artisketch_core_small artisketch_editor artisketch_figures artisketch_tests artisketch_editor_tests
   artisketch_thread_tests)
 # What only calls what is tested is run once: compiling it well takes longer than it gains.
 foreach(target IN ITEMS artisketch_tests artisketch_editor_tests artisketch_thread_tests)

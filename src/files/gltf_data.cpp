@@ -10,11 +10,27 @@
 namespace artisketch {
 namespace {
 
+// What tinygltf reads into looks through an object's fields for each of them: thousands would take
+// minutes.
+void check_fields(const Json& json) {
+  constexpr std::size_t kMost = 1000;
+  std::vector<const Json*> open{&json};
+  while (!open.empty()) {
+    const Json& value = *open.back();
+    open.pop_back();
+    require(!value.is_object() || value.size() <= kMost,
+            "has an object of more than " + std::to_string(kMost) + " fields");
+    if (value.is_structured())
+      for (const Json& inner : value) open.push_back(&inner);
+  }
+}
+
 // tinygltf trusts its input in places: it recurses into nested values, and takes the address of an
 // image's bytes before looking whether they are there. What would trip it is refused here.
 void check_container(const GlbParts& parts) {
   const Json& json = parts.json;
   const std::size_t bin_size = parts.bin.size();
+  check_fields(json);
   if (const auto buffers = json.find("buffers"); buffers != json.end())
     require(buffers->is_array() && buffers->size() == 1 && (*buffers)[0].is_object() &&
                 !(*buffers)[0].contains("uri"),

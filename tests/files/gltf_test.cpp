@@ -244,20 +244,32 @@ TEST(Gltf, OtherFilesAreRefusedInWords) {
   starts(elsewhere, "x.glb: does not hold all its data");
 }
 
-TEST(Gltf, NestedExtrasDoNotOverflowTheStack) {
-  std::string json = R"({"asset":{"version":"2.0"},"extras":)" + std::string(200000, '[') +
-                     std::string(200000, ']') + "}";
+std::string glb_of_json(std::string json) {
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const auto word = [](std::size_t n) {
     std::string bytes;
     for (int i = 0; i < 4; ++i) bytes += char(n >> 8 * i & 255);
     return bytes;
   };
-  const std::string glb =
-      "glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json;
-  const Result<Model> read = read_glb(glb, "x");
+  return "glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json;
+}
+
+TEST(Gltf, NestedExtrasDoNotOverflowTheStack) {
+  const Result<Model> read =
+      read_glb(glb_of_json(R"({"asset":{"version":"2.0"},"extras":)" + std::string(200000, '[') +
+                           std::string(200000, ']') + "}"),
+               "x");
   ASSERT_FALSE(read);
   EXPECT_NE(read.error().text().find("nested"), std::string::npos);
+}
+
+// Each is looked for among all before it: so many would take minutes.
+TEST(Gltf, ObjectsOfVeryManyFieldsAreRefused) {
+  std::string json = R"({"asset":{"version":"2.0"},"extras":{"a":0)";
+  for (int i = 0; i < 300000; ++i) json += ",\"f" + std::to_string(i) + "\":0";
+  const Result<Model> read = read_glb(glb_of_json(json + "}}"), "x");
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().text().find("more than 1000 fields"), std::string::npos);
 }
 
 }  // namespace
