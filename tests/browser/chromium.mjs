@@ -131,7 +131,7 @@ export class Editor {
 
   // The file that `action` makes the page download.
   async download(action) {
-    const [download] = await Promise.all([this.page.waitForEvent('download'), action()]);
+    const [download] = await Promise.all([this.page.waitForEvent('download', {timeout: patience}), action()]);
     const chunks = [];
     for await (const chunk of await download.createReadStream()) chunks.push(chunk);
     return {name: download.suggestedFilename(), bytes: Buffer.concat(chunks)};
