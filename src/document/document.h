@@ -134,7 +134,8 @@ Role role_of(const Document& document, int joint);
 
 // The document as it tells of the figure's shape: without the contours of what is no part of the
 // character, and of frames that nobody has posed yet, which would carve the parts from wrong sides
-// (with these where no other has any).
+// (with these where no other has any). Of a part that has open contours alone, the lone stroke of a
+// frame is closed, end to end.
 Document with_shaping_contours(Document document);
 
 // Joints that carry a contour in at least one frame, ascending.

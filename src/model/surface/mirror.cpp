@@ -31,7 +31,7 @@ void add_mirrored_views(const Document& document, std::vector<Part>& parts) {
 
 namespace {
 
-constexpr int kRays = 64;  // tested per outline
+constexpr int kRaysOfEach = 64;  // tested per outline
 
 // Pixels by which a part's outlines differ from their mirror images where those are half trusted:
 // what calibration leaves, and what the hand does that drew them. It grows with by how much the
@@ -51,7 +51,7 @@ double tolerance_of(const Part& part, double contradiction) {
   return std::hypot(kCalibrated, drawn * std::sqrt(area));
 }
 
-std::vector<const Silhouette*> all_but(const Carving& carving, const Silhouette& out,
+std::vector<const Silhouette*> views_beside(const Carving& carving, const Silhouette& out,
                                        bool mirrored) {
   std::vector<const Silhouette*> rest;
   for (const Silhouette& view : carving.views)
@@ -61,7 +61,7 @@ std::vector<const Silhouette*> all_but(const Carving& carving, const Silhouette&
 
 template <class Visit>  // of each tested ray
 void each_ray(const Silhouette& view, const Visit& visit) {
-  for (const RayRim& line : outline_rays(view, kRays))
+  for (const RayRim& line : outline_rays(view, kRaysOfEach))
     for (const RimRay& ray : line.rays) visit(ray.ray);
 }
 
@@ -80,7 +80,7 @@ void trust_mirrors(double tolerance, Carving& all) {
   for (std::size_t v = 0; v < all.views.size(); ++v) {
     const Silhouette& view = all.views[v];
     const bool mirrored = view.view->mirrored;
-    const auto others = all_but(all, view, !mirrored);
+    const auto others = views_beside(all, view, !mirrored);
     each_ray(view, [&](const Ray& ray) {
       ++(mirrored ? rays[v] : own_rays);
       const Miss found = miss(ray, others, all.room, 0);
@@ -107,7 +107,7 @@ void grow_mirrors(Carving& all) {
   std::vector<double> by(all.views.size(), 0.0);
   for (const Silhouette& view : all.views) {
     if (view.view->mirrored) continue;
-    const auto own = all_but(all, view, false), others = all_but(all, view, true);
+    const auto own = views_beside(all, view, false), others = views_beside(all, view, true);
     each_ray(view, [&](const Ray& ray) {
       const Miss found = miss(ray, others, all.room, kLeft);
       if (!(found.distance > kLeft)) return;
