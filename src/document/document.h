@@ -80,7 +80,8 @@ struct Animation {
 
 // Which joint a recorded motion's joint moves, where their names differ.
 struct MotionMap {
-  std::vector<std::pair<std::string, int>> joints;  // the motion's name ("": nobody), the document's joint
+  std::vector<std::pair<std::string, int>>
+      joints;  // the motion's name ("": nobody), the document's joint
   std::string unknown;
 };
 
@@ -134,8 +135,8 @@ Role role_of(const Document& document, int joint);
 
 // The document as it tells of the figure's shape: without the contours of what is no part of the
 // character, and of frames that nobody has posed yet, which would carve the parts from wrong sides
-// (with these where no other has any). Of a part that has open contours alone, the lone stroke of a
-// frame is closed, end to end.
+// (with these where no other has any). Of a part that has open contours alone, those that go round
+// an area are closed, end to end; without any, it has none.
 Document with_shaping_contours(Document document);
 
 // Joints that carry a contour in at least one frame, ascending.

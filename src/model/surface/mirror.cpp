@@ -52,7 +52,7 @@ double tolerance_of(const Part& part, double contradiction) {
 }
 
 std::vector<const Silhouette*> views_beside(const Carving& carving, const Silhouette& out,
-                                       bool mirrored) {
+                                            bool mirrored) {
   std::vector<const Silhouette*> rest;
   for (const Silhouette& view : carving.views)
     if (&view != &out && (mirrored || !view.view->mirrored)) rest.push_back(&view);
