@@ -85,7 +85,8 @@ class Shown {
 std::vector<std::uint8_t> body_of(const Grid3<float>& field) {
   const auto& values = field.values;
   std::vector<std::uint8_t> marked(values.size());
-  std::vector<std::size_t> open{std::size_t(std::ranges::min_element(values) - values.begin())};
+  std::vector<std::size_t> open{
+      std::size_t(std::min_element(values.begin(), values.end()) - values.begin())};
   marked[open[0]] = 1;
   const std::size_t strides[3] = {1, std::size_t(field.size.x()),
                                   std::size_t(field.size.x()) * field.size.y()};
