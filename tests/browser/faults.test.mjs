@@ -168,6 +168,7 @@ test('two tabs that die leave two pieces of work, and none is lost before it is 
     await editor.until((state) => state.mode !== 'welcome' && state.frames > 0);
     const document = await saved(editor);
     found.push([...places, [60, 140]].findIndex(([x, y]) => drawnAt(document, x, y)));
+    await editor.once(async () => await kept(editor.page) === 2 - i); // what is saved is kept no longer
     await editor.page.close({runBeforeUnload: false});
   }
   assert.deepEqual(found.sort(), [0, 1, 2]);
