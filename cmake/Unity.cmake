@@ -33,8 +33,8 @@ set(alone
 )
 list(TRANSFORM alone PREPEND "${PROJECT_SOURCE_DIR}/")
 
-set(targets artisketch_core artisketch_core_small artisketch_editor artisketch_figures artisketch_tests artisketch_editor_tests
-  artisketch_thread_tests)
+set(targets artisketch_core artisketch_core_small artisketch_core_fast artisketch_editor artisketch_figures
+  artisketch_tests artisketch_editor_tests artisketch_thread_tests)
 # What only calls what is tested is run once: compiling it well takes longer than it gains.
 foreach(target IN ITEMS artisketch_tests artisketch_editor_tests artisketch_thread_tests)
   if(TARGET ${target})
