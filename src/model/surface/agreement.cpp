@@ -5,24 +5,23 @@
 #include <cmath>
 
 #include "base/golden_section.h"
-#include "model/surface/ray_rims.h"
 
 namespace artisketch {
 namespace {
 
-constexpr int kRays = 64;               // tested per outline
 constexpr double kMostSwelling = 0.06;  // of the outline's diagonal
 constexpr double kMostGiven = 0.1;      // the same, of a mirrored outline
 constexpr double kWidth = 12;           // of a swelling, times its height: a gentle one
 
-std::vector<const Silhouette*> all_but(const Carving& carving, const Silhouette* out) {
+}  // namespace
+
+std::vector<const Silhouette*> all_but(const Carving& carving, const Silhouette& out,
+                                       bool mirrored) {
   std::vector<const Silhouette*> rest;
   for (const Silhouette& view : carving.views)
-    if (&view != out) rest.push_back(&view);
+    if (&view != &out && (mirrored || !view.view->mirrored)) rest.push_back(&view);
   return rest;
 }
-
-}  // namespace
 
 Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Box3& room,
           double enough) {
@@ -67,11 +66,10 @@ Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Bo
 double coverage(const Silhouette& outline, const std::vector<const Silhouette*>& others,
                 const Box3& room, double tolerance) {
   int met = 0, all = 0;
-  for (const RayRim& line : outline_rays(outline, kRays))
-    for (const RimRay& ray : line.rays) {
-      ++all;
-      met += miss(ray.ray, others, room, tolerance).distance <= tolerance;
-    }
+  each_ray(outline, [&](const Ray& ray) {
+    ++all;
+    met += miss(ray, others, room, tolerance).distance <= tolerance;
+  });
   return all ? double(met) / all : 1;
 }
 
@@ -87,25 +85,23 @@ double swell(Carving& carving, bool mirrored_yield) {
   std::vector<std::vector<DistanceRaster::Swelling>> swellings(carving.views.size());
   for (const Silhouette& view : carving.views) {
     if (!asks(view)) continue;
-    const auto others = all_but(carving, &view);
-    for (const RayRim& line : outline_rays(view, kRays))
-      for (const RimRay& ray : line.rays) {
-        const Miss found = miss(ray.ray, others, carving.room, 0);
-        ++rays;
-        if (!(found.distance > 0)) continue;
-        missed += found.distance / (view.view->pixels_per_unit(found.point) * carving.radius);
-        // Every outline that it passes there must give way, each by what it lacks.
-        for (const Silhouette& other : carving.views) {
-          if (&other == &view || !yields(other)) continue;
-          const double lacks =
-              other.distance(found.point) * other.view->pixels_per_unit(found.point);
-          const double most = (mirrored_yield ? kMostGiven : kMostSwelling) *
-                              other.view->outline.box().diagonal().norm();
-          if (lacks > 0)
-            swellings[&other - carving.views.data()].push_back(
-                {other.view->project(found.point), std::min(lacks, most)});
-        }
+    const auto others = all_but(carving, view);
+    each_ray(view, [&](const Ray& ray) {
+      const Miss found = miss(ray, others, carving.room, 0);
+      ++rays;
+      if (!(found.distance > 0)) return;
+      missed += found.distance / (view.view->pixels_per_unit(found.point) * carving.radius);
+      // Every outline that it passes there must give way, each by what it lacks.
+      for (const Silhouette& other : carving.views) {
+        if (&other == &view || !yields(other)) continue;
+        const double lacks = other.distance(found.point) * other.view->pixels_per_unit(found.point);
+        const double most = (mirrored_yield ? kMostGiven : kMostSwelling) *
+                            other.view->outline.box().diagonal().norm();
+        if (lacks > 0)
+          swellings[&other - carving.views.data()].push_back(
+              {other.view->project(found.point), std::min(lacks, most)});
       }
+    });
   }
   for (std::size_t v = 0; v < swellings.size(); ++v)
     carving.views[v].raster.swell(swellings[v], kWidth);

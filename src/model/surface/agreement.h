@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/surface/carving.h"
+#include "model/surface/ray_rims.h"
 
 namespace artisketch {
 
@@ -16,6 +17,18 @@ struct Miss {
 };
 Miss miss(const Ray& ray, const std::vector<const Silhouette*>& others, const Box3& room,
           double enough);
+
+// The carving's outlines but one; without `mirrored`, the part's own of them.
+std::vector<const Silhouette*> all_but(const Carving& carving, const Silhouette& out,
+                                       bool mirrored = true);
+
+// visit(ray), of the rays that stand for an outline wherever outlines are held against each other.
+template <class Visit>
+void each_ray(const Silhouette& outline, const Visit& visit) {
+  constexpr int kRays = 64;
+  for (const RayRim& line : outline_rays(outline, kRays))
+    for (const RimRay& ray : line.rays) visit(ray.ray);
+}
 
 // Share of an outline's rays that miss the others by no more than `tolerance` pixels.
 double coverage(const Silhouette& outline, const std::vector<const Silhouette*>& others,

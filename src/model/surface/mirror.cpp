@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "model/surface/agreement.h"
-#include "model/surface/ray_rims.h"
 
 namespace artisketch {
 void add_mirrored_views(const Document& document, std::vector<Part>& parts) {
@@ -31,8 +30,6 @@ void add_mirrored_views(const Document& document, std::vector<Part>& parts) {
 
 namespace {
 
-constexpr int kRaysOfEach = 64;  // tested per outline
-
 // Pixels by which a part's outlines differ from their mirror images where those are half trusted:
 // what calibration leaves, and what the hand does that drew them. It grows with by how much the
 // part's own outlines contradict each other, which is little in rendered figures, 0.3 to 1.5 %, and
@@ -51,20 +48,6 @@ double tolerance_of(const Part& part, double contradiction) {
   return std::hypot(kCalibrated, drawn * std::sqrt(area));
 }
 
-std::vector<const Silhouette*> views_beside(const Carving& carving, const Silhouette& out,
-                                            bool mirrored) {
-  std::vector<const Silhouette*> rest;
-  for (const Silhouette& view : carving.views)
-    if (&view != &out && (mirrored || !view.view->mirrored)) rest.push_back(&view);
-  return rest;
-}
-
-template <class Visit>  // of each tested ray
-void each_ray(const Silhouette& view, const Visit& visit) {
-  for (const RayRim& line : outline_rays(view, kRaysOfEach))
-    for (const RimRay& ray : line.rays) visit(ray.ray);
-}
-
 // How many pixels a point lies outside of a view's outline.
 double outside(const Silhouette& view, const Vec3& p) {
   return view.distance(p) * view.view->pixels_per_unit(p);
@@ -80,7 +63,7 @@ void trust_mirrors(double tolerance, Carving& all) {
   for (std::size_t v = 0; v < all.views.size(); ++v) {
     const Silhouette& view = all.views[v];
     const bool mirrored = view.view->mirrored;
-    const auto others = views_beside(all, view, !mirrored);
+    const auto others = all_but(all, view, !mirrored);
     each_ray(view, [&](const Ray& ray) {
       ++(mirrored ? rays[v] : own_rays);
       const Miss found = miss(ray, others, all.room, 0);
@@ -107,7 +90,7 @@ void grow_mirrors(Carving& all) {
   std::vector<double> by(all.views.size(), 0.0);
   for (const Silhouette& view : all.views) {
     if (view.view->mirrored) continue;
-    const auto own = views_beside(all, view, false), others = views_beside(all, view, true);
+    const auto own = all_but(all, view, false), others = all_but(all, view, true);
     each_ray(view, [&](const Ray& ray) {
       const Miss found = miss(ray, others, all.room, kLeft);
       if (!(found.distance > kLeft)) return;

@@ -14,8 +14,8 @@ void add_mirrored_views(const Document& document, std::vector<Part>& parts);
 
 // The part's own outlines and its mirrored ones, which take nothing that the own ones show: where
 // these ask it, mirrored outlines are swollen, and grown until they give way. They bound the part
-// everywhere, and tell where its rims are as far as they are like the own ones: less, and never
-// from one moment to the next, the more they differ.
+// everywhere, and tell where its rims are the less, the more they differ from the own ones: without
+// a switch.
 //   contradiction  by how much the part's own outlines contradict each other (proportions.h): what
 //                  a hand draws is never quite alike
 // Fails as carving_of does.
