@@ -342,33 +342,6 @@ TEST_F(CommandLine, AFailedRunLeavesTheSideOutputsToo) {
   EXPECT_EQ(*read_file(path("p.png")), "precious");
 }
 
-// The program in a process of its own, with less of something than it needs; its exit status.
-class Limited : public CommandLine {
- protected:
-  int run_with(int resource, rlim_t limit, const std::vector<std::string>& arguments) {
-    const std::string said = path("said");
-    const pid_t child = fork();
-    if (child == 0) {
-      const rlimit limits{limit, limit};
-      if (!freopen(said.c_str(), "w", stderr) || !freopen("/dev/null", "w", stdout)) _exit(126);
-      setrlimit(__rlimit_resource(resource), &limits);
-      std::vector<char*> argv{const_cast<char*>("artisketch")};
-      for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
-      argv.push_back(nullptr);
-      execv(ARTISKETCH_CLI, argv.data());
-      _exit(127);
-    }
-    int status = 0;
-    rusage used{};
-    wait4(child, &status, 0, &used);
-    most_memory = 1024.0 * double(used.ru_maxrss);
-    err = *read_file(said);
-    fs::remove(said);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  }
-  double most_memory = 0;  // bytes that the last one took
-};
-
 TEST_F(Limited, AFileThatMayNotGrowIsAnError) {
   EXPECT_EQ(
       run_with(RLIMIT_FSIZE, 10000,

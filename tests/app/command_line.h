@@ -1,15 +1,20 @@
-// The command line in the tests' own process, with a folder that goes afterwards.
+// The command line in the tests' own process, or the program in one of its own, with a folder that
+// goes afterwards.
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "app/cli.h"
+#include "files/bytes.h"
 
 namespace artisketch {
 
@@ -44,6 +49,33 @@ class CommandLine : public testing::Test {
 
   fs::path folder_;
   std::string out, err;
+};
+
+// The program in a process of its own, with less of something than it needs; its exit status.
+class Limited : public CommandLine {
+ protected:
+  int run_with(int resource, rlim_t limit, const std::vector<std::string>& arguments) {
+    const std::string said = path("said");
+    const pid_t child = fork();
+    if (child == 0) {
+      const rlimit limits{limit, limit};
+      if (!freopen(said.c_str(), "w", stderr) || !freopen("/dev/null", "w", stdout)) _exit(126);
+      setrlimit(__rlimit_resource(resource), &limits);
+      std::vector<char*> argv{const_cast<char*>("artisketch")};
+      for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+      argv.push_back(nullptr);
+      execv(ARTISKETCH_CLI, argv.data());
+      _exit(127);
+    }
+    int status = 0;
+    rusage used{};
+    wait4(child, &status, 0, &used);
+    most_memory = 1024.0 * double(used.ru_maxrss);
+    err = *read_file(said);
+    fs::remove(said);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  double most_memory = 0;  // bytes that the last one took
 };
 
 }  // namespace artisketch

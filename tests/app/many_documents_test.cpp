@@ -15,7 +15,7 @@
 namespace artisketch {
 namespace {
 
-class ManyDocuments : public CommandLine {
+class ManyDocuments : public Limited {
  protected:
   // The circles, which take no time, under another name; their drawings beside them.
   std::string circles(const std::string& name, const std::string& in_folder = "in") {
@@ -115,31 +115,15 @@ TEST_F(ManyDocuments, AClipTakesNoDocumentForAnother) {
   EXPECT_EQ(report()["documents"].size(), 2u);
 }
 
-// The program, with `seconds` of computing for each of its processes; its exit status.
-int with_seconds(rlim_t seconds, const std::vector<std::string>& arguments) {
-  const pid_t child = fork();
-  if (child == 0) {
-    const rlimit limits{seconds, seconds};
-    setrlimit(RLIMIT_CPU, &limits);
-    if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr)) _exit(126);
-    std::vector<char*> argv{const_cast<char*>("artisketch")};
-    for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
-    argv.push_back(nullptr);
-    execv(ARTISKETCH_CLI, argv.data());
-    _exit(127);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
 TEST_F(ManyDocuments, OneThatIsKilledLeavesTheOthers) {
   std::string large = *read_file(kHero);
   large.insert(large.find("\"skeleton\""), R"("settings":{"grid":400,"method":"paper"},)");
   const std::string a = circles("a"), killed = write("in/killed.artisketch", large),
                     z = circles("z");
-  EXPECT_EQ(with_seconds(1, {"reconstruct", a, killed, z, "-o", path("models/"), "--no-texture",
-                             "--report", path("all.json")}),
+  constexpr rlim_t kSeconds = 1;  // of computing, for each process
+  EXPECT_EQ(run_with(RLIMIT_CPU, kSeconds,
+                     {"reconstruct", a, killed, z, "-o", path("models/"), "--no-texture",
+                      "--report", path("all.json")}),
             1);
   const nlohmann::json all = report()["documents"];
   EXPECT_EQ(all[0]["became"], "made");
