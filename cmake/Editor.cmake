@@ -83,11 +83,13 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/session/edit_commands.cpp
   src/editor/session/file_commands.cpp
   src/editor/session/files.cpp
+  src/editor/session/hints.cpp
   src/editor/session/jobs.cpp
   src/editor/session/notes.cpp
   src/editor/session/live.cpp
   src/editor/session/motions_in.cpp
   src/editor/session/part_fit.cpp
+  src/editor/session/picking.cpp
   src/editor/session/session.cpp
   src/editor/session/view.cpp
   src/editor/session/view_commands.cpp
@@ -97,9 +99,11 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/canvas/sketch_paint.cpp
   ${modes}
   src/editor/shell/canvas_menu.cpp
+  src/editor/shell/hints.cpp
   src/editor/shell/inspector.cpp
   src/editor/shell/model_panel.cpp
   src/editor/shell/notes_card.cpp
+  src/editor/shell/picking_sheet.cpp
   src/editor/shell/sheets.cpp
   src/editor/shell/sketch_panel.cpp
   src/editor/shell/splitters.cpp

@@ -146,6 +146,15 @@ Pose with_joint_dragged(const Skeleton& skeleton, const Pose& pose, const FrameC
   return with_joint_at(skeleton, next, end, target, 1);
 }
 
+Pose with_bone_toward(const Skeleton& skeleton, const Pose& pose, const FrameCamera& camera,
+                      int joint, const Vec2& pixel) {
+  const Vec3 end = place_of(skeleton, pose, joint),
+             start = place_of(skeleton, pose, skeleton.joints[joint].parent);
+  const Vec3 target =
+      on_sphere(camera.ray(pixel), start, (end - start).norm(), end.z() < start.z());
+  return with_joint_at(skeleton, pose, joint, target, 1);
+}
+
 Pose with_joint_depth(const Skeleton& skeleton, const Pose& pose, const FrameCamera& camera,
                       int joint, double z) {
   const std::vector<Transform> posed = posed_joints(skeleton, pose);

@@ -30,6 +30,11 @@ Pose with_joint_at(const Skeleton& skeleton, const Pose& pose, int joint, const 
 Pose with_joint_dragged(const Skeleton& skeleton, const Pose& pose, const FrameCamera& camera,
                         int joint, const Vec2& pixel);
 
+// The bone that ends in `joint` swung to where its end is seen at a pixel, on the side of the paper
+// where it was; toward the pixel, where the bone is too short.
+Pose with_bone_toward(const Skeleton& skeleton, const Pose& pose, const FrameCamera& camera,
+                      int joint, const Vec2& pixel);
+
 // The joint brought to the depth z (world), as near as lengths allow, where it is seen: a limb's
 // end keeps its pixel, the end of one bone the bone's direction in the picture.
 Pose with_joint_depth(const Skeleton& skeleton, const Pose& pose, const FrameCamera& camera,

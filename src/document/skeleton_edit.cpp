@@ -189,6 +189,50 @@ Document with_joint_added(Document document, int parent, Vec3 offset, bool mirro
 
 namespace {
 
+// Where the joint's bone goes, and the child in which it ends; −1: none.
+struct OnlyBone {
+  int child = kNone;
+  Vec3 offset = Vec3::Zero();
+};
+OnlyBone only_bone(const Skeleton& skeleton, int joint, double length) {
+  const std::vector<int> children = skeleton.children(joint);
+  ensure(children.size() <= 1, "a joint of one bone");
+  if (!children.empty()) return {children[0], skeleton.joints[children[0]].offset};
+  const Vec3 before = skeleton.joints[joint].offset;
+  return {kNone, length * (before.norm() > 1e-9 ? before.normalized() : Vec3(0, -1, 0))};
+}
+
+// The new joint's number is given back.
+Document with_one_in_bone(const Document& document, int joint, double along, double length,
+                          int& added) {
+  const OnlyBone bone = only_bone(document.skeleton, joint, length);
+  Skeleton skeleton = document.skeleton;
+  added = bone.child == kNone ? skeleton.size() : bone.child;
+  std::vector<int> now;
+  for (int j = 0; j < skeleton.size(); ++j) now.push_back(j < added ? j : j + 1);
+  const auto number = [&](int j) { return j < 0 ? kNone : now[j]; };
+  for (Joint& each : skeleton.joints) {
+    each.parent = number(each.parent);
+    each.mirror = number(each.mirror);
+  }
+  const std::string name = unique_joint_name(skeleton, skeleton.joints[joint].name);
+  skeleton.joints.insert(skeleton.joints.begin() + added,
+                         Joint{name, now[joint], along * bone.offset, kNone, ""});
+  if (bone.child != kNone) {
+    skeleton.joints[added + 1].parent = added;
+    skeleton.joints[added + 1].offset = (1 - along) * bone.offset;
+  }
+  Document next = with_numbers(document, std::move(skeleton), now, now);
+  if (const auto settings = next.parts.find(now[joint]); settings != next.parts.end()) {
+    const PartSettings same = settings->second;
+    next.parts[added] = same;
+  }
+  for (Frame& frame : next.frames)
+    if (std::binary_search(frame.hidden.begin(), frame.hidden.end(), now[joint]))
+      frame.hidden.insert(std::lower_bound(frame.hidden.begin(), frame.hidden.end(), added), added);
+  return next;
+}
+
 std::optional<Document> without_one(const Document& document, int joint) {
   Skeleton skeleton = document.skeleton;
   const std::vector<int> children = skeleton.children(joint);
@@ -222,6 +266,25 @@ std::optional<Document> without_one(const Document& document, int joint) {
 }
 
 }  // namespace
+
+Document with_joint_in_bone(Document document, int joint, double along, double length) {
+  ensure(joint >= 0 && joint < document.skeleton.size(), "a joint of the skeleton");
+  const Skeleton before = document.skeleton;
+  int added = kNone;
+  Document next = with_one_in_bone(document, joint, along, length, added);
+  const auto now = [&](int j) { return next.skeleton.find(before.joints[j].name); };
+  const int mirror = before.joints[joint].mirror;
+  if (mirror == joint) next.skeleton.joints[added].mirror = added;
+  if (!is_pair(before, joint) || before.children(mirror).size() != before.children(joint).size())
+    return next;
+  int across = kNone;
+  const std::string name = next.skeleton.joints[added].name;
+  next = with_one_in_bone(next, now(mirror), along, length, across);
+  added = next.skeleton.find(name);
+  next.skeleton.joints[added].mirror = across;
+  next.skeleton.joints[across].mirror = added;
+  return next;
+}
 
 Document with_thing_added(Document document, int parent) {
   document = with_joint_added(std::move(document), parent, Vec3::Zero(), false);

@@ -26,6 +26,13 @@ std::string unique_joint_name(const Skeleton& skeleton, const std::string& wante
 //             set into it, and the joint is its own mirror image.
 Document with_joint_added(Document document, int parent, Vec3 offset, bool mirrored);
 
+// A new joint within the joint's only bone: what that ended in hangs on it, and all stands where it
+// stood. Its mirror image likewise, where that has such a bone. Each comes right before what hangs
+// on it, and is named after the joint; it has its part's settings.
+//   along   of the bone, 0 … 1
+//   length  of the bone of a joint that nothing hangs on: it goes on from the one before it
+Document with_joint_in_bone(Document document, int joint, double along, double length);
+
 // A new joint at its parent's place for a thing that the parent holds, by the name "thing".
 Document with_thing_added(Document document, int parent);
 

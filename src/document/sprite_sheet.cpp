@@ -58,13 +58,20 @@ std::vector<Sprite> sprites_by_gaps(const SegmentedImage& sheet) {
       found.push_back(f);
     }
   }
-  constexpr double kSpeck = 0.03, kOtherThing = 0.2;  // of the largest figure
+  // Specks, the letters of a title, a number below each figure.
+  constexpr double kOtherThing = 0.2;  // of the largest figure
   found.erase(std::remove_if(found.begin(), found.end(),
-                             [&](const Found& f) { return f.area < kSpeck * largest; }),
+                             [&](const Found& f) { return f.area < kOtherThing * largest; }),
               found.end());
   if (found.size() < 2) return {};
-  for (const Found& f : found)
-    if (f.area < kOtherThing * largest) return {};
+  // Counted without those.
+  int last = found[0].row, row = 0, column = 0;
+  for (Found& f : found) {
+    if (f.row != last) ++row, column = 0;
+    last = f.row;
+    f.row = row;
+    f.column = column++;
+  }
   int width = 0, height = 0;
   for (const Found& f : found) {
     width = std::max(width, f.box.width);

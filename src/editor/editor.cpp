@@ -12,6 +12,7 @@
 #include "editor/session/app.h"
 #include "editor/session/commands.h"
 #include "editor/session/files.h"
+#include "editor/session/hints.h"
 #include "editor/session/jobs.h"
 #include "editor/session/live.h"
 #include "editor/shell/panels.h"
@@ -47,6 +48,7 @@ struct Editor::Parts {
     platform.load("theme", [&view](const std::string& name) {
       if (!name.empty()) view.dark = name == "dark";
     });
+    recall_hints(app);
     view.layers[std::size_t(Mode::pose)].drawing_opacity = 0.42f;
     Layers& result = view.layers[std::size_t(Mode::result)];
     result.drawing_opacity = 0.3f;
@@ -148,7 +150,8 @@ void Editor::frame(float width, float height, float pixel_ratio) {
   app.services.hurried = hurried(app.services.hurried);
   collect_job(app);
   advance(app);
-  const bool asking = app.question || app.view.help;
+  follow_hints(app);
+  const bool asking = app.question || app.view.help || !app.picking.empty();
   if (asking)
     app.asked.clear();
   else
@@ -176,15 +179,19 @@ void Editor::frame(float width, float height, float pixel_ratio) {
       drawing_strip(app, layout);
     inspector(app, layout);
     splitters(app, layout);
+    hints_card(app, layout);
     notes_card(app, layout);
   }
   if (!layout.tablet) status_line(app, layout);
   toasts(app, layout);
   shortcut_sheet(app, width, height);
+  picking_sheet(app, width, height);
   question_sheet(app, width, height);
 
   for (const std::string_view command : std::exchange(app.asked, {})) perform(app, command);
-  if (!asking && app.question && app.question->asks_path) await_text_field();
+  if (!asking && ((app.question && app.question->asks_path) ||
+                  (!app.picking.empty() && !app.picking.front().one)))
+    await_text_field();
   keep_live(app);
   autosave(app);
   if (!app.toasts.empty()) parts_->message = app.toasts.back().words;
@@ -210,7 +217,8 @@ double Editor::next_frame_in() const {
       ImGui::GetIO().MouseDownDuration[ImGuiMouseButton_Left] < kLongest)
     interval = kSmooth;
   const bool live = app.services.jobs.busy() && !app.busy();
-  if (app.session.playback.playing || app.changing_pose() || live) interval = kSmooth;
+  if (app.session.playback.playing || app.changing_pose() || live || hints_move(app))
+    interval = kSmooth;
   return interval - (app.services.platform.now() - parts_->drawn_at);
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/distance_field.h"
 #include "document/edit.h"
+#include "document/split.h"
 #include "editor/step.h"
 
 namespace artisketch {
@@ -783,6 +784,103 @@ TEST_F(Outline, TheMenuOfAnOutlineDoesTheSame) {
   ASSERT_NE(h.find("Mirror"), nullptr);
   h.click("Mirror");
   expect_step("Mirror Hand R");
+}
+
+// ---------------------------------------------------------------- Split
+
+TEST_F(Outline, SplitPutsAJointInAPartAndCutsItInEveryDrawing) {
+  choose("forearm.R");
+  const int joints = was.skeleton.size();
+  h.key(ImGuiKey_K, ImGuiMod_Shift);
+  EXPECT_EQ(h.document().skeleton.size(), joints + 2) << "the other side's, too";
+  for (int f = 0; f < h.state().frames; ++f)
+    for (const char* part : {"forearm.R", "forearm 2.R"})
+      EXPECT_EQ(outlines(h, part, f).size(), was.frames[std::size_t(f)].contours.empty() ? 0u : 1u)
+          << part << " in " << f;
+  EXPECT_TRUE(h.active("Forearm 2 R")) << "the new part is chosen";
+  expect_step("Split Forearm R");
+}
+
+TEST_F(Outline, SplitFromTheMenuGoesByThePlaceWhereThePartIsStraight) {
+  // Where no other outline is near, so far along the part.
+  const auto away = [](const Polyline& line, const Vec2& p) {
+    double least = 1e9;
+    for (const Vec2& q : line.points) least = std::min(least, (q - p).norm());
+    return least;
+  };
+  std::vector<Contour> fine = contours(h);
+  for (Contour& contour : fine) contour.line = resampled(contour.line, 3);
+  const auto place_at = [&](double along) {
+    const Polyline shin = outline(h, "shin.R");
+    for (const Vec2& edge : resampled(shin, 3).points) {
+      const Vec2 p = edge + 4 * (centre(shin) - edge).normalized();
+      bool clear = contains(shin, p);
+      for (const Contour& contour : fine)
+        clear = clear && (contour.joint == joint(h, "shin.R") || away(contour.line, p) > 8);
+      if (clear && std::abs(along_part(was, 0, joint(h, "shin.R"), p).value_or(9) - along) < 0.03)
+        return p;
+    }
+    ADD_FAILURE() << "no such place";
+    return Vec2(0, 0);
+  };
+  for (const double along : {0.4, 0.55}) {
+    h.click(on_screen(h, place_at(along)), ImGuiMouseButton_Right);
+    h.click("Split at a joint");
+    ASSERT_EQ(h.state().undo, "Split Shin R");
+    const Skeleton& skeleton = h.document().skeleton;
+    const double own = skeleton.joints[std::size_t(joint(h, "shin 2.R"))].offset.norm(),
+                 rest = skeleton.joints[std::size_t(joint(h, "foot.R"))].offset.norm();
+    EXPECT_NEAR(own / (own + rest), along, 0.04);
+    h.key(ImGuiKey_Z, ImGuiMod_Ctrl);
+  }
+}
+
+// A chest and an arm of one part, stretched in one drawing and bent in the other.
+Document bending_arm() {
+  Document document;
+  document.name = "bend";
+  document.camera.pixels_per_unit = 100;
+  document.skeleton.joints = {{"chest", -1, Vec3::Zero(), -1, ""},
+                              {"arm.L", 0, {0.3, 0, 0}, -1, ""},
+                              {"hand.L", 1, {1.2, 0, 0}, -1, ""}};
+  for (int f = 0; f < 2; ++f) {
+    Frame frame;
+    frame.name = f == 0 ? "straight" : "bent";
+    frame.width = frame.height = 400;
+    frame.pose = rest_pose(document.skeleton);
+    const Polyline chest{{{160, 150}, {240, 150}, {240, 260}, {160, 260}}, true};
+    const Polyline straight{{{222, 186}, {360, 186}, {360, 214}, {222, 214}}, true};
+    const Polyline bent{{{222, 186}, {286, 186}, {286, 124}, {314, 124}, {314, 214}, {222, 214}},
+                        true};
+    frame.contours = {{0, chest, ""}, {1, f == 0 ? straight : bent, ""}};
+    if (f == 1) frame.pose.rotations[1] = Quat(Eigen::AngleAxisd(0.75, Vec3::UnitZ()));
+    document.frames.push_back(frame);
+  }
+  return document;
+}
+
+TEST(OutlineAlone, ANoteThatAPartBendsOffersToSplitIt) {
+  Harness h;
+  h.open("bend.artisketch", document_text(bending_arm()));
+  h.key(ImGuiKey_R);
+  h.settle();
+  ASSERT_TRUE(h.state().has_model);
+  const std::vector<std::string> labels = h.labels();
+  const auto notes = std::find_if(labels.begin(), labels.end(), [](const std::string& label) {
+    return label.find("note") != std::string::npos;
+  });
+  ASSERT_NE(notes, labels.end());
+  h.click(*notes);
+  h.click("Split Arm L at a joint");
+  EXPECT_EQ(h.state().undo, "Split Arm L");
+  for (int f = 0; f < 2; ++f) EXPECT_EQ(outlines(h, "arm 2.L", f).size(), 1u);
+  const FrameCamera camera = frame_camera(h.document(), 1);
+  const Vec2 elbow =
+      camera.project(posed_joints(h.document().skeleton,
+                                  h.document().frames[1].pose)[std::size_t(joint(h, "arm 2.L"))]
+                         .translation());
+  EXPECT_LT((elbow - Vec2(300, 200)).norm(), 16) << "where the drawing bends it";
+  EXPECT_EQ(h.find("Split Arm L at a joint"), nullptr) << "it bends no more";
 }
 
 }  // namespace

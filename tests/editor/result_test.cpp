@@ -524,6 +524,23 @@ TEST_F(ResultMode, WithoutDialogsThePathIsTyped) {
   EXPECT_TRUE(h.platform.files.contains("/tmp/shape.obj"));
 }
 
+TEST(ResultAlone, AClipOfAnOlderModelHasTheSkeletonsJoints) {
+  Harness h;
+  h.open_example("circles");
+  h.key(ImGuiKey_R);
+  h.settle();
+  ASSERT_TRUE(h.state().has_model);
+  h.key(ImGuiKey_2);
+  h.click("Template Human");
+  h.key(ImGuiKey_4);
+  h.click("New clip");
+  ASSERT_EQ(h.document().animations.size(), 1u);
+  EXPECT_EQ(int(h.document().animations[0].keys[0].pose.rotations.size()),
+            h.document().skeleton.size());
+  h.key(ImGuiKey_R);
+  h.settle();
+}
+
 TEST(ResultAlone, ExportSaysWhatItLacks) {
   Harness h;
   h.click("Blank paper");

@@ -195,6 +195,7 @@ TEST_F(Looking, AControlThatRestsUnderThePointerIsExplained) {
 
 TEST_F(Looking, AToastGoesByItselfAndAnErrorStays) {
   h.key(ImGuiKey_4);
+  h.click("Got it");
   h.key(ImGuiKey_E, ImGuiMod_Ctrl);
   ASSERT_FALSE(h.said().empty());
   h.wait(7);

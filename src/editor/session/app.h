@@ -2,6 +2,7 @@
 // and what serves both.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "editor/pictures/drawings.h"
 #include "editor/session/command.h"
+#include "editor/session/picking.h"
 #include "editor/session/platform.h"
 #include "editor/session/session.h"
 #include "editor/session/tool.h"
@@ -77,6 +79,7 @@ struct App {
   std::vector<std::string_view> asked;  // by this frame's controls and keys
   std::vector<Toast> toasts;
   std::optional<Question> question;
+  std::deque<Picking> picking;  // the first is shown
   Fingers fingers;
   bool closed = false;  // the person left
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "document/drawing_edit.h"
+#include "document/edit.h"
 #include "editor/session/files.h"
 #include "files/canvas.h"
 #include "files/image_file.h"
@@ -84,6 +85,29 @@ void crop_drawing(App& app, int f) {
   const PixelBox kept{int(box.min().x()), int(box.min().y()), int(size.x()), int(size.y())};
   commit_picture(app, f, "Crop drawing", with_drawing_cropped(app.document(), f, kept),
                  [&](const Image& picture) { return cropped(picture, kept); });
+}
+
+void crop_by_hand(App& app, int f) {
+  const Frame& frame = app.document().frames[std::size_t(f)];
+  Picking picking;
+  picking.one = true;
+  picking.title = "Crop " + drawing_words(app.document(), f);
+  picking.words = "Drag a box round what stays. Outlines stay, too.";
+  picking.action = "Crop";
+  picking.picture = frame.image;
+  picking.width = frame.width;
+  picking.height = frame.height;
+  const long session = app.session.id();
+  picking.with = [&app, f, session, key = frame.image](const std::vector<Sprite>& taken) {
+    const std::vector<Frame>& frames = app.document().frames;
+    if (app.session.id() != session || f >= int(frames.size()) ||
+        frames[std::size_t(f)].image != key || taken.empty())
+      return;
+    const PixelBox kept = taken[0].own;
+    commit_picture(app, f, "Crop drawing", with_drawing_cropped(app.document(), f, kept),
+                   [&](const Image& picture) { return cropped(picture, kept); });
+  };
+  app.picking.push_back(std::move(picking));
 }
 
 void replace_picture(App& app, int f) {

@@ -1,6 +1,5 @@
 // Drawings and skeletons on their way into the document.
 #include <algorithm>
-#include <cstdlib>
 
 #include <imgui.h>
 
@@ -79,56 +78,65 @@ void add_all(App& app, const std::vector<Arrived>& all) {
 void add_sprites(App& app, const Image& sheet, const std::string& name,
                  const std::vector<Sprite>& sprites) {
   std::vector<Arrived> all;
-  for (const Sprite& sprite : sprites) {
-    all.push_back({name + " " + std::to_string(all.size() + 1), png_bytes(cut_out(sheet, sprite))});
-  }
+  for (const Sprite& sprite : sprites)
+    all.push_back({name + " " + cell_words(sprite, sprites), png_bytes(cut_out(sheet, sprite))});
   add_all(app, all);
 }
 
-// "4 × 2", by whatever stands between the numbers; 0 where there is none.
-std::pair<int, int> columns_and_rows(const std::string& words) {
-  const auto number = [&](std::size_t& at) {
-    at = words.find_first_of("0123456789", at);
-    if (at == words.npos) return 0;
-    const std::size_t end = std::min(words.find_first_not_of("0123456789", at), words.size());
-    const int value = end - at > 3 ? 0 : std::atoi(words.substr(at, end - at).c_str());
-    at = end;
-    return value;
-  };
-  std::size_t at = 0;
-  const int columns = number(at);
-  const int rows = at == words.npos ? 0 : number(at);
-  return {columns, std::max(rows, columns > 0 ? 1 : 0)};
-}
-
-void ask_how_to_cut(App& app, const NamedBytes& file, Image sheet, std::vector<Sprite> sprites) {
-  const std::string name = without_ending(file.name);
+// "4 × 2"
+std::string grid_words(const std::vector<Sprite>& sprites) {
   int columns = 0, rows = 0;
   for (const Sprite& sprite : sprites) {
     columns = std::max(columns, sprite.column + 1);
     rows = std::max(rows, sprite.row + 1);
   }
-  const std::string found = std::to_string(columns) + " × " + std::to_string(rows);
-  Question question;
-  question.title = "One drawing, or " + std::to_string(sprites.size()) + "?";
-  question.words = "Figures across × down, as they stand on the sheet:";
-  question.asks_path = true;
-  question.path = found;
-  question.with_path = [&app, name, found, sheet = std::move(sheet),
-                        sprites = std::move(sprites)](const std::string& words) {
-    const auto [across, down] = columns_and_rows(words);
-    const bool as_found = words == found;
-    const std::vector<Sprite> cells =
-        as_found ? sprites : sprites_by_grid(sheet.width, sheet.height, across, down);
-    constexpr std::size_t kMost = 256;
-    if (cells.empty() || cells.size() > kMost)
-      return complain(app, bad_input("'" + words + "' is no number of figures: say 4 × 2"));
-    add_sprites(app, sheet, name, cells);
+  return std::to_string(columns) + " × " + std::to_string(rows);
+}
+
+// The figures of a picture that the drawings hold, to be picked.
+Picking figures_on(const std::string& key, const Image& sheet, const std::vector<Sprite>& sprites) {
+  Picking picking;
+  picking.picture = key;
+  picking.width = sheet.width;
+  picking.height = sheet.height;
+  picking.words = "Click a figure to leave it out; drag a box round one that is missing.";
+  for (const Sprite& sprite : sprites) picking.boxes.push_back({sprite});
+  picking.grid = picking.as_found = sprites.empty() ? "" : grid_words(sprites);
+  return picking;
+}
+
+void ask_how_to_cut(App& app, const NamedBytes& file, Image sheet, std::vector<Sprite> sprites) {
+  const std::string name = without_ending(file.name);
+  const Result<std::string> key = app.services.drawings.add(file.bytes, file.name);
+  if (!key) return complain(app, key.error());
+  Picking picking = figures_on(*key, sheet, sprites);
+  picking.title = "One drawing, or " + std::to_string(sprites.size()) + "?";
+  picking.with = [&app, name, sheet = std::move(sheet)](const std::vector<Sprite>& taken) {
+    add_sprites(app, sheet, name, taken);
   };
-  question.answers = {{"Cut it up", {}, true}, {"One drawing", [&app, name, bytes = file.bytes] {
-                                                  add_all(app, {{name, bytes}});
-                                                }}};
-  app.question = std::move(question);
+  picking.whole = [&app, name, bytes = file.bytes] { add_all(app, {{name, bytes}}); };
+  app.picking.push_back(std::move(picking));
+}
+
+// In place of the drawing that they are pieces of, or after all others where that has outlines of
+// its own.
+void add_pieces(App& app, int f, const std::vector<Sprite>& pieces) {
+  const Frame sheet = app.document().frames[std::size_t(f)];
+  const Image picture = app.services.drawings.of(sheet)->image;
+  const bool stays = !sheet.contours.empty();
+  Document next = app.document();
+  if (!stays) next = without_frame(std::move(next), f);
+  const int first = int(next.frames.size());
+  const std::string name = drawing_words(app.document(), f);
+  for (const Sprite& piece : pieces) {
+    Result<Document> with = with_drawing(
+        app, next, {name + " " + cell_words(piece, pieces), png_bytes(cut_out(picture, piece))});
+    if (!with) return complain(app, with.error());
+    next = std::move(*with);
+  }
+  app.session.commit("Cut up " + name, std::move(next));
+  app.session.show_frame(first);
+  app.view.fit_again();
 }
 
 }  // namespace
@@ -148,6 +156,24 @@ void add_drawing(App& app, const NamedBytes& file) {
   std::vector<Sprite> sprites = sprites_by_gaps(segmented(sheet));
   if (sprites.size() > 1) return ask_how_to_cut(app, file, std::move(sheet), std::move(sprites));
   add_all(app, {{name, file.bytes}});
+}
+
+void cut_up_drawing(App& app, int f) {
+  const Frame& frame = app.document().frames[std::size_t(f)];
+  const Drawing* drawing = app.services.drawings.of(frame);
+  if (!drawing) return;
+  Picking picking =
+      figures_on(frame.image, drawing->image, sprites_by_gaps(segmented(drawing->image)));
+  picking.title = "Cut up " + drawing_words(app.document(), f);
+  const long session = app.session.id();
+  picking.with = [&app, f, session, key = frame.image](const std::vector<Sprite>& taken) {
+    const std::vector<Frame>& frames = app.document().frames;
+    if (app.session.id() != session || f >= int(frames.size()) ||
+        frames[std::size_t(f)].image != key)
+      return;
+    add_pieces(app, f, taken);
+  };
+  app.picking.push_back(std::move(picking));
 }
 
 void begin_with_template(App& app, Template kind) {

@@ -2,6 +2,7 @@
 #include "document/edit.h"
 #include "editor/session/app.h"
 #include "editor/session/commands.h"
+#include "editor/session/hints.h"
 #include "editor/session/jobs.h"
 #include "editor/session/notes.h"
 #include "editor/ui/icons.h"
@@ -42,6 +43,8 @@ void step_back(App& app) {
     app.view.exporting = false;
   } else if (session.playback.posed) {
     session.playback.posed.reset();
+  } else if (hints_shown(app) && session.selection.contour < 0 && session.selection.joint < 0) {
+    close_hints(app);
   } else {
     session.selection.contour = session.selection.joint = -1;
   }

@@ -16,6 +16,8 @@ void open_example(App& app, const std::string& name, bool greet);
 void new_document(App& app);
 // A drawing at the end of the strip, a GIF's all; a sheet of several asks how to cut it.
 void add_drawing(App& app, const NamedBytes& file);
+// The figures of a drawing that is a sheet, picked on it, become drawings in its place.
+void cut_up_drawing(App& app, int frame);
 // Where the figure stands in a frame's drawing, in its pixels; none without one.
 std::optional<Box2> figure_in(const App& app, const Frame& frame);
 // Another skeleton, fitted to the drawing in view.

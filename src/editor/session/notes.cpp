@@ -33,7 +33,9 @@ std::vector<PlacedWords> notes_of(const App& app) {
     PlacedWords note = placed_words(*all.document, words);
     // The document may have been changed since.
     if (note.frame >= int(app.document().frames.size())) note.frame = -1;
-    if (note.joint >= app.document().skeleton.size()) note.joint = -1;
+    if (note.joint >= 0)
+      note.joint =
+          app.document().skeleton.find(all.document->skeleton.joints[std::size_t(note.joint)].name);
     notes.push_back(std::move(note));
   }
   return notes;

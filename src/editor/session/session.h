@@ -244,7 +244,9 @@ struct Session {
   // Where each contour of a frame crosses itself; and per frame and joint: inside_other_parts.
   mutable Derived<std::vector<std::optional<Vec2>>, int> crossings;
   mutable Derived<std::vector<std::vector<bool>>> insides;
-  mutable Derived<std::vector<double>> offered_scales;  // per frame
+  mutable Derived<std::vector<double>> offered_scales;                 // per frame
+  mutable Derived<std::vector<int>, std::vector<int>> offered_splits;  // by the joints looked at
+  std::optional<Vec2> menu_over;  // the drawing's pixel that the menu was opened over
 
   // No other session's: what was begun for one document and comes late is not taken by the next.
   long id() const { return id_; }

@@ -51,6 +51,15 @@ struct Splits {
   float grabbed = 0;  // how far the one under the pointer was when it was grabbed
 };
 
+// What one does in a mode, in three lines (session/hints.h).
+struct Hints {
+  bool open = false;
+  Mode mode = Mode::outline;  // whose they are
+  double since = 0;           // seconds: when they came
+  std::array<bool, kModes> seen{};
+  bool recalled = false;  // what was seen in former sessions is known
+};
+
 struct View {
   bool welcome = true;
   Mode mode = Mode::outline;
@@ -73,7 +82,8 @@ struct View {
   bool choosing_pose = false;  // to copy: the drawings are listed
   bool choosing_copy = false;  // where to copy outlines
   bool exporting = false, mapping = false, all_drawings = false, help = false;  // sheets
-  float strip_scroll = 0;                                                       // points
+  Hints hints;
+  float strip_scroll = 0;  // points
   bool dark = true;
 
   // Another document was opened.

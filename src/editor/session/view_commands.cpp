@@ -180,6 +180,17 @@ std::vector<Command> view_commands() {
   for (Command& command : zoom_commands()) all.push_back(std::move(command));
   all.push_back(
       {.id = "theme", .name = "Light or dark", .icon = icon::kThemeLightDark, .run = switch_theme});
+  all.push_back({.id = "hints",
+                 .name = "How this mode works",
+                 .icon = icon::kLightbulbOutline,
+                 .available = [](const App& app) { return app.has_frame() && !app.view.welcome; },
+                 .run =
+                     [](App& app) {
+                       app.view.exporting = app.view.mapping = app.view.help = false;
+                       app.view.hints.open = true;
+                       app.view.hints.mode = app.view.mode;
+                       app.view.hints.since = app.services.now;
+                     }});
   all.push_back({.id = "help",
                  .name = "Shortcuts",
                  .icon = icon::kHelpCircleOutline,

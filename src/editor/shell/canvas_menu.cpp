@@ -35,9 +35,10 @@ void canvas_menu(App& app, const Rect& place, const OnScreen& on) {
                     ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   const bool opens = here && !app.session.new_outline && app.fingers.count == 0 &&
                      (rests || ImGui::IsMouseClicked(ImGuiMouseButton_Right)) && choose(app, on);
+  if (opens) app.session.menu_over = on.back(ImGui::GetIO().MousePos);
   if (opens && rests) app.drop_gesture();  // the finger may have begun to draw
   Menu menu("canvas menu", opens);
-  if (!menu) return;
+  if (!menu) return app.session.menu_over.reset();
   for (const Command& command : app.commands) {
     if (!command.in_menu || !available(app, command)) continue;
     if (menu.line(command.name, key_words(command, app.services.platform.mac_keys())))

@@ -4,6 +4,8 @@
 
 #include "document/edit.h"
 #include "editor/canvas/controls.h"
+#include "editor/canvas/pointer.h"
+#include "editor/modes/outline/split_part.h"
 #include "editor/session/command.h"
 #include "editor/session/notes.h"
 #include "editor/shell/panels.h"
@@ -56,7 +58,8 @@ void notes_card(App& app, const Layout& layout) {
   for (const PlacedWords& note : notes)
     needed += lines_height(Font::caption, note.words, width, kLine) + kBetween;
   const std::vector<ScaleOffer> offers = scale_offers(app);
-  needed += float(offers.size()) * (kButton + kBetween);
+  const std::vector<int> splits = split_offers(app);
+  needed += float(offers.size() + splits.size()) * (kButton + kBetween);
   const float high = std::min(room.h, kHead + needed);
   const Rect place{room.x, room.bottom() - high, room.w, high};
   {
@@ -85,6 +88,14 @@ void notes_card(App& app, const Layout& layout) {
                               percent_of(offer.scale);
     if (button(words, {column.x + kPad + kDot, y, width, kButton})) {
       take_offer(app, offer);
+      break;
+    }
+    y += kButton + kBetween;
+  }
+  for (const int joint : splits) {
+    if (button("Split " + part_words(app, joint) + " at a joint",
+               {column.x + kPad + kDot, y, width, kButton})) {
+      split_part(app, joint);
       break;
     }
     y += kButton + kBetween;

@@ -12,6 +12,7 @@ Rect rail_place(const App& app, const Layout& layout);  // as high as its tools,
 void tool_rail(App& app, const Layout& layout);
 void sketch_panel(App& app, const Layout& layout, float pixel_ratio);
 void model_panel(App& app, const Layout& layout, float pixel_ratio);
+void hints_card(App& app, const Layout& layout);
 void notes_card(App& app, const Layout& layout);
 void inspector(App& app, const Layout& layout);
 void drawing_strip(App& app, const Layout& layout);
@@ -21,7 +22,10 @@ void status_line(const App& app, const Layout& layout);
 void toasts(App& app, const Layout& layout);
 void welcome(App& app, const Layout& layout, float pixel_ratio);
 void shortcut_sheet(App& app, float width, float height);
+void picking_sheet(App& app, float width, float height);
 void question_sheet(App& app, float width, float height);
+// Darkens the window; false once what stands at `place` over it is dismissed.
+bool over_all(const Rect& place, float width, float height);
 void main_menu(App& app, const Rect& button);
 
 // What lies under a right click or a resting finger is chosen, and what can be done to it offered.

@@ -61,23 +61,19 @@ void main_menu(App& app, const Rect& button) {
     }
   if (!recents.empty()) gap();
   command("theme");
+  command("hints");
   command("help");
   ImGui::SetCursorScreenPos(corner);
   ImGui::Dummy({kWidth, column.y - corner.y + 6});
   ImGui::EndPopup();
 }
 
-namespace {
-
-// Darkens the window; false once what stands at `place` over it is dismissed.
 bool over_all(const Rect& place, float width, float height) {
   const Panel veil("Veil", {0, 0, width, height}, rgb(0x000000, 0.45f), Panel::Layer::floating);
   const bool beside =
       ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !place.holds(ImGui::GetIO().MousePos);
   return !beside && !ImGui::IsKeyPressed(ImGuiKey_Escape);
 }
-
-}  // namespace
 
 void question_sheet(App& app, float width, float height) {
   if (!app.question) return;
@@ -181,8 +177,14 @@ void shortcut_sheet(App& app, float width, float height) {
     return;
   }
   const Panel panel("Shortcuts", place, t.raised, Panel::Layer::floating, kRadiusPanel);
-  if (sheet_head({place.x + 24, place.y + 12, place.w - 36, 44}, "Shortcuts", "Close shortcuts"))
-    app.view.help = false;
+  const Rect head{place.x + 24, place.y + 12, place.w - 36, 44};
+  if (sheet_head(head, "Shortcuts", "Close shortcuts")) app.view.help = false;
+  const Command& hints = command(app, "hints");
+  if (available(app, hints)) {
+    const float wide = text_width(Font::body, hints.name) + 24 + 32;
+    const Rect there{head.right() - 40 - wide, head.y + 6, wide, 32};
+    if (button(hints.name, there, command_look(app, hints))) hints.run(app);
+  }
   const float column = (place.w - 48) / float(columns);
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t i = 0; i < all[c].size(); ++i) {

@@ -4,6 +4,7 @@
 #include "document/edit.h"
 #include "editor/canvas/controls.h"
 #include "editor/session/drawing_edits.h"
+#include "editor/session/files.h"
 #include "editor/session/part_fit.h"
 #include "editor/shell/panels.h"
 #include "editor/ui/menu.h"
@@ -51,6 +52,10 @@ void drawing_menu(App& app, int f) {
     replace_picture(app, f);
   } else if (menu.line("Crop to the figure")) {
     crop_drawing(app, f);
+  } else if (menu.line("Crop by hand")) {
+    crop_by_hand(app, f);
+  } else if (menu.line("Cut into drawings", "", app.services.drawings.of(document.frames[f]))) {
+    cut_up_drawing(app, f);
   } else if (menu.line("Flip left to right")) {
     flip_drawing(app, f);
   } else if (menu.line("Turn left")) {

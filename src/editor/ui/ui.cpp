@@ -91,7 +91,11 @@ Panel::Panel(const char* name, const Rect& place, ImU32 ground, Layer layer, flo
   flags |= ImGuiWindowFlags_NoFocusOnAppearing;
   if (layer == Layer::base) flags |= ImGuiWindowFlags_NoBringToFrontOnFocus;
   ImGui::Begin(name, nullptr, flags);
-  if (layer == Layer::floating) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  // An open menu stays over all of them.
+  const bool menu =
+      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (layer == Layer::floating && !menu)
+    ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
 }
 
 Panel::~Panel() {

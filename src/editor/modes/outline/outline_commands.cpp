@@ -6,6 +6,7 @@
 #include "editor/modes/mode_commands.h"
 #include "editor/modes/outline/copy_to.h"
 #include "editor/modes/outline/outline_edits.h"
+#include "editor/modes/outline/split_part.h"
 #include "editor/ui/icons.h"
 
 namespace artisketch {
@@ -281,6 +282,13 @@ std::vector<Command> commands_of_whose_and_how() {
        .available = can_join,
        .on = [](const App& app) { return app.session.next.joins; },
        .run = join},
+      {.id = "split_part",
+       .name = "Split at a joint",
+       .about = "A new joint where the part bends, its outlines cut there in every drawing",
+       .key = ImGuiKey_K,
+       .shift = true,
+       .available = can_split_chosen,
+       .run = split_chosen},
       {.id = "mend",
        .name = "Mend",
        .icon = icon::kAutoFix,

@@ -31,8 +31,20 @@ void play_or_pause(App& app) {
   if (playback.playing && !times.empty() && playback.time >= times.back()) playback.time = 0;
 }
 
+// The pose shown, by the document's joints: they may be others than the model's by now.
+Pose pose_to_keep(const App& app) {
+  const Skeleton &mine = app.document().skeleton, &shown = app.shown()->model.skeleton;
+  const Pose pose = app.shown_pose();
+  Pose kept = rest_pose(mine);
+  kept.root_position = pose.root_position;
+  for (int j = 0; j < shown.size(); ++j)
+    if (const int joint = mine.find(shown.joints[std::size_t(j)].name); joint >= 0)
+      kept.rotations[std::size_t(joint)] = pose.rotations[std::size_t(j)];
+  return kept;
+}
+
 void new_clip(App& app) {
-  app.session.commit("New clip", with_clip(app.document(), app.shown_pose()));
+  app.session.commit("New clip", with_clip(app.document(), pose_to_keep(app)));
   Playback& playback = app.session.playback;
   playback.clip = int(app.session.built->model.clips.size()) - 1;
   playback.time = 0;
@@ -49,7 +61,7 @@ void set_key(App& app) {
   const double time = playback.time;
   const std::string name = app.session.built->model.clips[std::size_t(playback.clip)].name;
   app.session.commit("Set key of " + name,
-                     with_key(app.document(), playback.clip - 1, time, app.shown_pose()));
+                     with_key(app.document(), playback.clip - 1, time, pose_to_keep(app)));
   playback.playing = false;
   playback.posed.reset();
   const std::vector<double>& times =
