@@ -184,7 +184,7 @@ void paint_picture(Mode mode, const Rect& place, float time) {
 
 // ---------------------------------------------------------------- the card
 
-constexpr float kPad = 12, kHead = 40, kLine = 18, kBetween = 6;
+constexpr float kCardPad = 12, kCardHead = 40, kHintLine = 18, kHintsApart = 6;
 
 // Over what the mode's tools don't work on, where that stands beside it: the model, in Result the
 // drawing. Else at the top of what they do.
@@ -196,9 +196,9 @@ Rect room_for_hints(const App& app, const Layout& layout) {
       free.cut_left(right - free.x);
       free.cut_top(56);
     }
-    return free.inset(kPad);
+    return free.inset(kCardPad);
   }
-  return (app.view.mode == Mode::result ? layout.canvas : layout.view).inset(kPad, 56);
+  return (app.view.mode == Mode::result ? layout.canvas : layout.view).inset(kCardPad, 56);
 }
 
 }  // namespace
@@ -210,11 +210,11 @@ void hints_card(App& app, const Layout& layout) {
   const bool beside = !layout.tablet && !layout.inset;
   const Rect room = room_for_hints(app, layout);
   const float width = std::min(room.w, 340.0f);
-  const float text = width - 2 * kPad - 14;
-  float high = kHead + kPad;
+  const float text = width - 2 * kCardPad - 14;
+  float high = kCardHead + kCardPad;
   for (const char* line : lines_of(mode))
-    high += lines_height(Font::body, line, text, kLine) + kBetween;
-  const float picture = std::clamp(room.h - high - kPad, 0.0f, beside ? 132.0f : 96.0f);
+    high += lines_height(Font::body, line, text, kHintLine) + kHintsApart;
+  const float picture = std::clamp(room.h - high - kCardPad, 0.0f, beside ? 132.0f : 96.0f);
   high += picture;
   const Rect place{room.x + (beside ? (room.w - width) / 2 : 0),
                    beside ? room.bottom() - high : room.y, width, high};
@@ -225,7 +225,7 @@ void hints_card(App& app, const Layout& layout) {
   const Panel panel("Hints", place, t.raised, Panel::Layer::floating, kRadiusPanel);
   draw().AddRect(place.min(), place.max(), t.line, kRadiusPanel);
   Rect column = place;
-  Rect head = column.cut_top(kHead).inset(kPad, 0);
+  Rect head = column.cut_top(kCardHead).inset(kCardPad, 0);
   const float ok = text_width(Font::body_bold, "Got it") + 24;
   Look done;
   done.on = true;
@@ -233,13 +233,13 @@ void hints_card(App& app, const Layout& layout) {
     close_hints(app);
   constexpr const char* kTitle[kModes] = {"Outline", "Skeleton", "Pose", "Result"};
   write(head, Font::body_bold, t.text, kTitle[std::size_t(mode)]);
-  column = column.inset(kPad, 0);
+  column = column.inset(kCardPad, 0);
   if (picture > 0) paint_picture(mode, column.cut_top(picture), hints_time(app));
   column.cut_top(8);
   for (const char* line : lines_of(mode)) {
-    draw().AddCircleFilled({column.x + 3, column.y + kLine / 2}, 2.5f, t.accent);
+    draw().AddCircleFilled({column.x + 3, column.y + kHintLine / 2}, 2.5f, t.accent);
     const Rect words{column.x + 14, column.y, text, column.h};
-    column.cut_top(write_lines(words, Font::body, t.text, line, kLine) + kBetween);
+    column.cut_top(write_lines(words, Font::body, t.text, line, kHintLine) + kHintsApart);
   }
 }
 
