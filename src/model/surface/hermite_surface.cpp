@@ -76,31 +76,32 @@ void project(const Eigen::HouseholderQR<Matrix>& qr, Matrix& K) {
 
 }  // namespace
 
-HermiteSurface::HermiteSurface(std::span<const SurfacePoint> points,
-                               const HermiteOptions& options) {
-  const int n = int(points.size());
-  ensure(n >= kFewestSurfacePoints, "points enough for a surface");
+HermiteSurface::HermiteSurface(std::span<const SurfacePoint> points, const HermiteOptions& options,
+                               std::span<const Vec3> loose) {
+  const int sloped = int(points.size()), n = sloped + int(loose.size());
+  ensure(sloped >= kFewestSurfacePoints, "points enough for a surface");
   Box3 box;
   for (const SurfacePoint& point : points) box.extend(point.position);
   centre_ = box.center();
   const double extent = std::max(box.diagonal().norm() / 2, 1e-9);
   scale_ = std::clamp(options.length, extent / 8, extent);
-  std::vector<Vec3> c(n);
-  for (int i = 0; i < n; ++i) c[i] = (points[i].position - centre_) / scale_;
+  std::vector<Vec3> c;
+  for (const SurfacePoint& point : points) c.push_back((point.position - centre_) / scale_);
+  for (const Vec3& p : loose) c.push_back((p - centre_) / scale_);
 
-  // Rows and columns: the n values, then each point's slopes along its normal and its sight. K is
-  // symmetric: its lower half alone is filled and read.
-  Matrix K(3 * n, 3 * n), P = Matrix::Zero(3 * n, 4);
-  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(3 * n);
+  // Rows and columns: the n values, then the slopes of the points that have any, along the normal
+  // and the sight. K is symmetric: its lower half alone is filled and read.
+  const int size = n + 2 * sloped;
+  Matrix K(size, size), P = Matrix::Zero(size, 4);
+  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(size);
   for (int j = 0; j < n; ++j) {
-    const Vec3 way_j[2] = {points[j].normal, points[j].sight};
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < sloped; ++i) {
       const Vec3 d = c[i] - c[j];
       const double r = d.norm(), per_r = r > 0 ? 1 / r : 0;
       const Vec3 way_i[2] = {points[i].normal, points[i].sight};
       for (int u = 0; u < 2; ++u) K(n + 2 * i + u, j) = 3 * r * d.dot(way_i[u]);
       if (i < j) continue;
-      K(i, j) = r * r * r;
+      const Vec3 way_j[2] = {points[j].normal, points[j].sight};
       for (int v = 0; v < 2; ++v) {
         const double along_j = d.dot(way_j[v]);
         for (int u = 0; u < 2; ++u)
@@ -108,11 +109,18 @@ HermiteSurface::HermiteSurface(std::span<const SurfacePoint> points,
               -3 * (r * way_i[u].dot(way_j[v]) + per_r * d.dot(way_i[u]) * along_j);
       }
     }
-    K(j, j) += options.value_ridge / points[j].weight;
+    for (int i = j; i < n; ++i) {
+      const double r = (c[i] - c[j]).norm();
+      K(i, j) = r * r * r;
+    }
+    const double weight = j < sloped ? points[j].weight : options.loose_weight;
+    K(j, j) += options.value_ridge / weight;
     P(j, 0) = 1;
     P.block<1, 3>(j, 1) = c[j].transpose();
+    if (j >= sloped) continue;
+    const Vec3 way_j[2] = {points[j].normal, points[j].sight};
     for (int v = 0; v < 2; ++v) {
-      K(n + 2 * j + v, n + 2 * j + v) += options.slope_ridge / points[j].weight;
+      K(n + 2 * j + v, n + 2 * j + v) += options.slope_ridge / weight;
       P.block<1, 3>(n + 2 * j + v, 1) = way_j[v].transpose();
     }
     rhs[n + 2 * j] = 1;
@@ -120,24 +128,25 @@ HermiteSurface::HermiteSurface(std::span<const SurfacePoint> points,
 
   // K is positive definite for what no linear function sees: Cholesky in that subspace.
   const Eigen::HouseholderQR<Matrix> qr(P);
-  const int m = 3 * n - 4;
+  const int m = size - 4;
   project(qr, K);
   const Eigen::VectorXd q_rhs = qr.householderQ().adjoint() * rhs;
   Eigen::Ref<Matrix> inner = K.bottomRightCorner(m, m);
   const Eigen::LLT<Eigen::Ref<Matrix>> llt(inner);  // in place
-  Eigen::VectorXd solution = Eigen::VectorXd::Zero(3 * n);
+  Eigen::VectorXd solution = Eigen::VectorXd::Zero(size);
   solution.tail(m) = llt.solve(q_rhs.tail(m));
   linear_ = qr.matrixQR().topLeftCorner<4, 4>().triangularView<Eigen::Upper>().solve(
                 q_rhs.head<4>() - K.bottomLeftCorner(m, 4).transpose() * solution.tail(m)) *
             scale_;
   solution = qr.householderQ() * solution;
 
-  terms_.resize(7, n);
+  terms_.setZero(7, n);
   for (int i = 0; i < n; ++i) {
-    const Vec3 b =
-        solution[n + 2 * i] * points[i].normal + solution[n + 2 * i + 1] * points[i].sight;
     terms_.col(i).head<3>() = c[i].cast<float>();
     terms_(3, i) = float(solution[i] * scale_);
+    if (i >= sloped) continue;
+    const Vec3 b =
+        solution[n + 2 * i] * points[i].normal + solution[n + 2 * i + 1] * points[i].sight;
     terms_.col(i).tail<3>() = (3 * scale_ * b).cast<float>();
   }
 }

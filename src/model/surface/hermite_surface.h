@@ -29,6 +29,7 @@ struct HermiteOptions {
   double value_ridge = 5e-4;  // how loosely f = 0 holds at the points
   double slope_ridge = 60;    // how loosely ∇f is the normal; what turns it sideways within the
                               // outline is left to the neighbours
+  double loose_weight = 0.1;  // of the points without a slope, beside the others
 };
 
 // f(x) = Σ aᵢ r³ − 3 r bᵢ·(x − cᵢ) + linear, the smoothest (least ∫|∇³f|²) with f(cᵢ) ≈ 0 and,
@@ -36,8 +37,10 @@ struct HermiteOptions {
 // which are only guesses would bulge the surface until the guesses are right.
 class HermiteSurface {
  public:
-  // Solves for #P points, 3 #P unknowns, dense. Points at the same place are fine.
-  HermiteSurface(std::span<const SurfacePoint> points, const HermiteOptions& options);
+  // Solves for 3 #P + #loose unknowns, dense. Points at the same place are fine.
+  //   loose  points without a slope
+  HermiteSurface(std::span<const SurfacePoint> points, const HermiteOptions& options,
+                 std::span<const Vec3> loose = {});
 
   float value(const Vec3& p) const;
   // values[i] = f(start + i · step), i = 0 … n − 1.

@@ -6,6 +6,7 @@
 
 #include "model/surface/agreement.h"
 #include "model/surface/bulge.h"
+#include "model/surface/held_back.h"
 #include "model/surface/inflate.h"
 #include "model/surface/mirror.h"
 #include "model/surface/proportions.h"
@@ -29,6 +30,22 @@ Curves curves_of(const std::vector<RayRim>& rims) {
 constexpr double kAbove = 3;  // cells
 constexpr float kBeyond = 4;  // times that: what is farther outside
 
+// Nothing near and in the hull, for another surface's distances to take its place.
+Grid3<float> laid_bare(const Grid3<float>& hull) {
+  Grid3<float> bare = hull;
+  for (float& v : bare.values)
+    if (v < kAbove * hull.cell) v = std::numeric_limits<float>::lowest();
+  return bare;
+}
+
+// f's distance near and in the hull.
+Grid3<float> alone(const HermiteSurface& f, const Grid3<float>& hull) {
+  Grid3<float> field = laid_bare(hull);
+  raise([&](const Vec3& start, const Vec3& step, int n, float* v) { f.values(start, step, n, v); },
+        kAbove * hull.cell, field);
+  return field;
+}
+
 // The part of the hull that lies inside f, bulging `fatness` times as far between the rims, as
 // f's distance; the hull's own beyond kAbove. What would lose its middle when thinned that much is
 // thinned less.
@@ -36,9 +53,7 @@ Grid3<float> plump(const HermiteSurface& f, const std::vector<RayRim>& rims, dou
                    double fatness, const Grid3<float>& hull) {
   const double above = kAbove * hull.cell;
   const Bulge bulge(curves_of(rims), radius);
-  Grid3<float> bare = hull;
-  for (float& v : bare.values)
-    if (v < above) v = std::numeric_limits<float>::lowest();
+  const Grid3<float> bare = laid_bare(hull);
   const auto raised = [&](double times) {
     Grid3<float> field = bare;
     const auto rows = [&](const Vec3& start, const Vec3& step, int n, float* values) {
@@ -165,16 +180,36 @@ bool leaves_nothing(const Grid3<float>& surface, const Grid3<float>& hull, doubl
   return in_both < std::max(kLeast * expected, kAtAll) * in_hull;
 }
 
-// Where the rims lie nowhere, as before a camera that stands in the figure's midst.
-RaysField hull_alone(RaysField field) {
-  field.rims.clear();
-  return field;
-}
-
 // hull = max(hull, surface)
 void cut_to(const Grid3<float>& surface, Grid3<float>& hull) {
   for (std::size_t i = 0; i < hull.values.size(); ++i)
     hull.values[i] = std::max(hull.values[i], surface.values[i]);
+}
+
+// Of a blade or a plate the smooth surface may miss the middle, where no outline holds it: it gives
+// way to the hull until it has no more holes than that.
+void leave_no_holes(const Grid3<float>& hull, double radius, Grid3<float>& surface) {
+  constexpr double kThin = 10;  // cells: thicker parts are wide enough between their outlines
+  if (radius > kThin * hull.cell) return;
+  const auto genus_of = [](const Grid3<float>& field) {
+    const Result<Mesh> mesh = isosurface(field);
+    return mesh ? topology(*mesh).genus() : std::numeric_limits<int>::max();
+  };
+  const int given = genus_of(hull);
+  for (int tries = 0; tries < 4; ++tries) {
+    Grid3<float> trimmed = hull;
+    cut_to(surface, trimmed);
+    if (genus_of(trimmed) <= given) return;
+    for (std::size_t i = 0; i < hull.values.size(); ++i)
+      surface.values[i] = (surface.values[i] + hull.values[i]) / 2;
+  }
+  surface = hull;
+}
+
+// Where the rims lie nowhere, as before a camera that stands in the figure's midst.
+RaysField hull_alone(RaysField field) {
+  field.rims.clear();
+  return field;
 }
 
 }  // namespace
@@ -218,13 +253,23 @@ Result<RaysField> rays_field(const Part& given, const RaysFieldOptions& options,
     for (RayRim& rim : out.rims) detect_depths(*carving, box, f, rim);
   }
   if (run.cancelled()) return cancelled();
-  const std::vector<SurfacePoint> points = surface_points(*carving, out.rims);
+  std::vector<SurfacePoint> points = surface_points(*carving, out.rims);
   if (int(points.size()) < kFewestSurfacePoints) return hull_alone(std::move(out));
-  const HermiteSurface f(points, fine);
+  HermiteSurface f(points, fine);
+  std::vector<Vec3> held;  // f need not pass there, but must not pass beyond
+  for (int pass = 0; pass < options.refits; ++pass) {
+    if (run.cancelled()) return cancelled();
+    const std::vector<Vec3> further =
+        held_back(alone(f, out.distance), out.distance, carving->radius);
+    if (further.empty()) break;
+    held.insert(held.end(), further.begin(), further.end());
+    f = HermiteSurface(points, fine, held);
+  }
   Grid3<float> surface = plump(f, out.rims, carving->radius, part.fatness, out.distance);
   // Of a round body's hull by two views the body is π/4 times the sine between them.
   if (part.fatness >= 1 && leaves_nothing(surface, out.distance, std::sqrt(carving->spread)))
     surface = out.distance;
+  if (part.fatness >= 1) leave_no_holes(out.distance, carving->radius, surface);
 
   constexpr double kLeastAgreed = 0.5;
   constexpr float kLeastGuess = 0.005f;  // moves nothing that a cell would show

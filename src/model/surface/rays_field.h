@@ -12,7 +12,8 @@ struct RaysFieldOptions {
   int cells = 100;              // along the longest side of the grid
   double rays_per_cell = 0.64;  // rays per view and `cells` on which rims are sought, 16 … 96;
                                 // of more than three views as many as of three
-  int refits = 2;               // times that the rims are sought again on the surface they gave
+  int refits = 2;               // times that the rims are sought again on the surface they gave,
+                                // and that the hull may hold it back
   HermiteOptions surface;
 };
 

@@ -123,6 +123,22 @@ TEST(SurfaceRays, LongAndFlatParts) {
   expect_silhouettes(plate, flat.mesh, 0.97);
 }
 
+TEST(SurfaceRays, PlatesOfAnyThicknessAreWhole) {
+  for (const double thickness : {0.03, 0.05, 0.12, 0.2, 0.3})
+    for (const double degrees : {60.0, 90.0}) {
+      const Quat turned(Eigen::AngleAxisd(radians(degrees), Vec3::UnitY()));
+      // The plate's own width from there: that of an ellipse of half axes 1 and `thickness`.
+      const double across =
+          std::hypot(std::cos(radians(degrees)), thickness * std::sin(radians(degrees)));
+      const Part plate = drawn::part(
+          {{from_front(), {ellipse(1, 1)}, {}}, {turned, {ellipse(across, 1)}, {}}}, 200);
+      const PartSurface surface = surface_of(plate, 100);
+      SCOPED_TRACE(testing::Message() << thickness << " thick, " << degrees);
+      expect_sound(surface);
+      expect_silhouettes(plate, surface.mesh, 0.95);
+    }
+}
+
 TEST(SurfaceRays, WhatIsSeenFromOneDirectionIsRound) {
   const Part part = drawn::part({{from_front(), {ellipse(0.5, 0.5)}, {}}});
   const PartSurface surface = surface_of(part);
