@@ -281,6 +281,22 @@ void spread(const Overlay& o, int steps, std::vector<Pixel>& colour,
   }
 }
 
+// Takes their colours from the pixels that lie within so many steps of the marked ones.
+void take_beside(const Overlay& o, int steps, std::vector<std::uint8_t>& marked,
+                 std::vector<std::uint8_t>& state) {
+  for (int step = 0; step < steps; ++step) {
+    const std::vector<std::uint8_t> before = marked;
+    for (int y = o.y.begin; y < o.y.end; ++y)
+      for (int x = o.x.begin; x < o.x.end; ++x) {
+        if (!before[o.index(x, y)]) continue;
+        for (const auto& [dx, dy] : kBeside)
+          if (o.inside(x + dx, y + dy)) marked[o.index(x + dx, y + dy)] = 1;
+      }
+  }
+  for (std::size_t p = 0; p < state.size(); ++p)
+    if (marked[p]) state[p] = Sketch::nothing;
+}
+
 // The most (or least) of the columns within r of each, transposed. Two of the largest windows that
 // doubling makes cover each; what is nearer than r to the first or last column is left undefined.
 template <class Better>
@@ -444,9 +460,13 @@ void fill_colours(const Frame& frame, const Image& picture, const Triangles& F,
     if (state[p] != Sketch::nothing) here = lightness(sketch.colour[p]);
   });
   Eigen::ArrayXXf darker = without_thin_dark(light, r) - light;
+  // A line's soft edge is a mixture of it and of what lies beside it, and no colour of that.
+  std::vector<std::uint8_t> soft(state.size(), 0);
   each(darker, [&](std::size_t p, float by) {
+    if (state[p] == Sketch::drawn && by > kInkDarker) soft[p] = std::uint8_t(1);
     if (state[p] == Sketch::pulled || by > kInkDarker) state[p] = Sketch::nothing;
   });
+  take_beside(o, fine, soft, state);
   const Stretches stretches = stretches_of(o, sketch.colour, state);
   const std::vector<std::uint8_t> bare = state;
   spread(o, reach, sketch.plain, state);

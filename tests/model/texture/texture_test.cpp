@@ -182,6 +182,52 @@ TEST(Texture, LinesThatOnlyPartColoursAreInk) {
   EXPECT_GT(ring, 5);
 }
 
+// A line drawn with soft edges leaves none of its mixtures along the border that it parts.
+TEST(Texture, SoftEdgesOfInkGoWithIt) {
+  constexpr double kHalfLine = 1.3;  // pixels
+  constexpr int kFine = 8;           // samples along a pixel
+  const Colour skin{247, 203, 165}, hair{138, 74, 43};
+  const Vec2 across = Vec2(-0.35, 1).normalized();
+  const auto beyond = [&](double x, double y) {
+    return across.dot(Vec2(x, y) - Vec2::Constant(kSize / 2.0));
+  };
+  const Model plain = ball();
+  Image drawing = disc(skin);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      std::uint8_t* p = drawing.at(x, y);
+      if (p[0] != skin.r) continue;
+      Vec3 sum = Vec3::Zero();
+      for (int v = 0; v < kFine; ++v)
+        for (int u = 0; u < kFine; ++u) {
+          const double d = beyond(x + (u + 0.5) / kFine, y + (v + 0.5) / kFine);
+          const Colour& c = std::abs(d) < kHalfLine ? kInk : d > 0 ? skin : hair;
+          sum += Vec3(c.r, c.g, c.b);
+        }
+      for (int k = 0; k < 3; ++k) p[k] = std::uint8_t(sum[k] / (kFine * kFine) + 0.5);
+    }
+  const Model model = painted(document_of(plain.skeleton, {0}), {drawing}, plain);
+  const Image& texture = *model.texture;
+  int near = 0, darker = 0;
+  for (int f = 0; f < model.mesh.F.rows(); ++f) {
+    const Vec3 weights = Vec3::Constant(1.0 / 3);
+    Vec3 at = Vec3::Zero();
+    Vec2 texel = Vec2::Zero();
+    for (int k = 0; k < 3; ++k) {
+      at += weights[k] * model.mesh.V.row(model.mesh.F(f, k)).transpose();
+      texel += weights[k] * model.texcoords[model.mesh.F(f, k)];
+    }
+    const double d = beyond(kSize / 2.0 + kScale * at.x(), kSize / 2.0 - kScale * at.y());
+    if (at.z() < 0.5 || std::abs(d) > 4) continue;
+    const std::uint8_t* c =
+        texture.at(int(texel.x() * texture.width), int(texel.y() * texture.height));
+    ++near;
+    darker += c[0] < hair.r - 6 || (d > 1.5 && c[0] < skin.r - 12);
+  }
+  EXPECT_GT(near, 50);
+  EXPECT_EQ(darker, 0);
+}
+
 // Two drawings of a ball with one dark spot, which the second has 17° from where the first has it:
 // as where a model's depth is a little off.
 TEST(Texture, ADetailIsPaintedOnce) {
