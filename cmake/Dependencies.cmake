@@ -37,7 +37,6 @@ artisketch_header_dependency(eigen Eigen UNDER eigen3 SINCE 3.4 HAVING src/Core/
 artisketch_header_dependency(json nlohmann SINCE 3.11 HAVING detail/abi_macros.hpp)
 artisketch_header_dependency(stb stb HAVING stb_image.h)
 artisketch_header_dependency(tinygltf tiny_gltf.h)
-artisketch_header_dependency(nanoflann nanoflann.hpp)
 artisketch_header_dependency(cli11 CLI HAVING CLI.hpp)
 
 # tiny_gltf.h includes the others' headers itself, and stb's without their folder.

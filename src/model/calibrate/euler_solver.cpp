@@ -55,7 +55,8 @@ struct Unknowns {
   }
 };
 
-// Normal equations JᵀJ, Jᵀr of Σ weight |posed(rest) − world|², and that sum.
+// Normal equations JᵀJ, its lower half alone, and Jᵀr of Σ weight |posed(rest) − world|², and
+// that sum.
 struct Normal {
   Eigen::MatrixXd A;
   Eigen::VectorXd b;
@@ -97,8 +98,9 @@ Normal normal_equations(const Unknowns& u, const Eigen::VectorXd& x,
       }
     for (const int a : columns) {
       n.b.segment<3>(a) += pair.weight * J.middleCols<3>(a).transpose() * r;
+      const Mat3 weighted = pair.weight * J.middleCols<3>(a).transpose();
       for (const int c : columns)
-        n.A.block<3, 3>(a, c) += pair.weight * J.middleCols<3>(a).transpose() * J.middleCols<3>(c);
+        if (c <= a) n.A.block<3, 3>(a, c) += weighted.lazyProduct(J.middleCols<3>(c));
     }
     n.energy += pair.weight * r.squaredNorm();
   }

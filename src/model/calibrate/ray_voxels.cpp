@@ -5,11 +5,20 @@
 #include <cmath>
 #include <limits>
 
-#include <nanoflann.hpp>
-
+#include "base/ensure.h"
 #include "base/within.h"
 
 namespace artisketch {
+namespace {
+
+using Place = std::array<int, 3>;  // of a voxel in its cube
+
+Place place_of(int voxel, int side) {
+  const int row = voxel / side;
+  return {voxel - row * side, row % side, row / side};
+}
+
+}  // namespace
 
 std::vector<int> voxels_along(const VoxelCube& cube, const Ray& ray, bool whole_line) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -48,28 +57,136 @@ std::vector<int> voxels_along(const VoxelCube& cube, const Ray& ray, bool whole_
   return voxels;
 }
 
-// A k-d tree over voxel centres, in voxel coordinates.
-struct HitVoxels::Tree {
-  explicit Tree(std::vector<int> voxels, int side)
-      : voxels(std::move(voxels)), side(side), index(3, *this) {
-    index.buildIndex();
-  }
-  std::size_t kdtree_get_point_count() const { return voxels.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-    return coordinate(voxels[i], int(axis));
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-  double coordinate(int voxel, int axis) const {
-    return axis == 0 ? voxel % side : axis == 1 ? voxel / side % side : voxel / (side * side);
-  }
+// Some voxels of a cube in blocks of 4³, with how far from any of them each block is at least:
+// where that is far, no search is needed. Made anew whenever poses change, so being made must be
+// cheap: a k-d tree, as in the paper, took longer to build than all searches in it.
+class HitVoxels::Blocks {
+ public:
+  Blocks(const std::vector<int>& voxels, int side);
 
-  std::vector<int> voxels;
-  int side;
-  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Tree>, Tree, 3> index;
+  // No voxel's centre is nearer to another voxel's, in voxels, than this.
+  double free_about(const Place& at) const { return least_[block(at)]; }
+
+  struct Nearest {
+    int voxel = -1;       // −1: none within the bound
+    double distance = 0;  // in voxels; the bound where there's none
+  };
+  Nearest nearest(const Place& at, double bound) const;
+
+ private:
+  static constexpr int kBlock = 4;
+  static constexpr int kFarthest = 4;  // blocks apart that are told from those still farther
+
+  // Between the nearest voxels of blocks so far apart along an axis.
+  static int gap(int blocks_apart) {
+    return blocks_apart == 0 ? 0 : kBlock * (blocks_apart - 1) + 1;
+  }
+  int block(const Place& at) const {
+    return at[0] / kBlock + blocks_ * (at[1] / kBlock + blocks_ * (at[2] / kBlock));
+  }
+  void sort_in(const std::vector<int>& voxels, int side);
+  void spread_distances();
+  std::uint64_t within_bits(int first, int last) const {
+    first = std::max(first, 0), last = std::min(last, blocks_ - 1);
+    if (first > last) return 0;
+    return (~std::uint64_t(0) >> (63 - last)) & (~std::uint64_t(0) << first);
+  }
+  static int lowest_bit(std::uint64_t bits) { return __builtin_ctzll(bits); }
+  void look_in(int block, const Place& at, int& least, int& found) const;
+
+  int blocks_ = 0;                     // along an edge
+  std::vector<std::uint64_t> filled_;  // per row of blocks, those with voxels
+  std::vector<int> begin_;             // per block, its first voxel; one more for the end
+  std::vector<int> voxels_;            // by block
+  std::vector<Place> places_;          // of the same
+  std::vector<float> least_;           // per block
 };
+
+HitVoxels::Blocks::Blocks(const std::vector<int>& voxels, int side)
+    : blocks_((side + kBlock - 1) / kBlock) {
+  ensure(blocks_ <= 64, "a row of blocks is one word");
+  sort_in(voxels, side);
+  spread_distances();
+}
+
+void HitVoxels::Blocks::sort_in(const std::vector<int>& voxels, int side) {
+  std::vector<Place> places(voxels.size());
+  begin_.assign(std::size_t(blocks_) * blocks_ * blocks_ + 1, 0);
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    places[i] = place_of(voxels[i], side);
+    ++begin_[block(places[i]) + 1];
+  }
+  filled_.assign(std::size_t(blocks_) * blocks_, 0);
+  for (std::size_t b = 0; b + 1 < begin_.size(); ++b)
+    if (begin_[b + 1] > 0) filled_[b / blocks_] |= std::uint64_t(1) << (b % blocks_);
+  for (std::size_t b = 1; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];
+  std::vector<int> next(begin_.begin(), begin_.end() - 1);
+  voxels_.resize(voxels.size());
+  places_.resize(voxels.size());
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    const int to = next[block(places[i])]++;
+    voxels_[to] = voxels[i];
+    places_[to] = places[i];
+  }
+}
+
+// Of squares first, axis by axis.
+void HitVoxels::Blocks::spread_distances() {
+  const auto squared = [](int apart) { return float(gap(apart) * gap(apart)); };
+  least_.assign(begin_.size() - 1, squared(kFarthest + 1));
+  for (std::size_t b = 0; b < least_.size(); ++b)
+    if (begin_[b] < begin_[b + 1]) least_[b] = 0;
+  std::vector<float> before;
+  for (int axis = 0, stride = 1; axis < 3; ++axis, stride *= blocks_) {
+    before = least_;
+    const std::size_t line = std::size_t(stride) * blocks_;
+    for (int apart = 1; apart <= std::min(kFarthest, blocks_ - 1); ++apart) {
+      const std::size_t shift = std::size_t(stride) * apart;
+      for (std::size_t start = 0; start < least_.size(); start += line)
+        for (std::size_t i = start; i + shift < start + line; ++i) {
+          least_[i] = std::min(least_[i], before[i + shift] + squared(apart));
+          least_[i + shift] = std::min(least_[i + shift], before[i] + squared(apart));
+        }
+    }
+  }
+  for (float& v : least_) v = std::sqrt(v);
+}
+
+void HitVoxels::Blocks::look_in(int block, const Place& at, int& least, int& found) const {
+  for (int i = begin_[block]; i < begin_[block + 1]; ++i) {
+    const int x = places_[i][0] - at[0], y = places_[i][1] - at[1], z = places_[i][2] - at[2];
+    const int squared = x * x + y * y + z * z;
+    if (squared <= least) least = squared, found = i;
+  }
+}
+
+// In shells of blocks about the one that `at` lies in. Of voxels equally near, the last is taken.
+HitVoxels::Blocks::Nearest HitVoxels::Blocks::nearest(const Place& at, double bound) const {
+  int least = int(std::ceil(bound * bound)), found = -1;  // squares of whole numbers are whole
+  const int bx = at[0] / kBlock, by = at[1] / kBlock, bz = at[2] / kBlock;
+  const auto squared_to = [](int at, int block) {
+    const int d = std::max({0, kBlock * block - at, at - (kBlock * block + kBlock - 1)});
+    return d * d;
+  };
+  for (int r = 0; r < blocks_ && gap(r) * gap(r) <= least; ++r) {
+    const std::uint64_t middle = within_bits(bx - r, bx + r);
+    const std::uint64_t ends = middle & ~within_bits(bx - r + 1, bx + r - 1);
+    for (int z = std::max(bz - r, 0); z <= std::min(bz + r, blocks_ - 1); ++z)
+      for (int y = std::max(by - r, 0); y <= std::min(by + r, blocks_ - 1); ++y) {
+        const bool whole = std::max(std::abs(z - bz), std::abs(y - by)) == r;
+        std::uint64_t filled = filled_[y + blocks_ * z] & (whole ? middle : ends);
+        if (!filled) continue;
+        const int off_row = squared_to(at[1], y) + squared_to(at[2], z);
+        for (; filled; filled &= filled - 1) {
+          const int x = lowest_bit(filled);
+          if (off_row + squared_to(at[0], x) <= least)
+            look_in(x + blocks_ * (y + blocks_ * z), at, least, found);
+        }
+      }
+  }
+  if (found < 0) return {-1, bound};
+  return {voxels_[found], std::sqrt(double(least))};
+}
 
 HitCount::HitCount(const VoxelCube& cube)
     : hits_(std::size_t(cube.side) * cube.side * cube.side, 0) {}
@@ -92,7 +209,7 @@ HitVoxels::HitVoxels(const VoxelCube& cube, const VoxelRays& frame, const HitCou
       for (int h = 0; h < all.of(voxel); ++h) voxels[h].push_back(voxel);
     }
   for (std::vector<int>& list : voxels)
-    if (!list.empty()) at_least_.push_back(std::make_unique<Tree>(std::move(list), cube.side));
+    if (!list.empty()) at_least_.push_back(std::make_unique<Blocks>(list, cube.side));
 }
 
 HitVoxels::~HitVoxels() = default;
@@ -100,33 +217,41 @@ HitVoxels::HitVoxels(HitVoxels&&) noexcept = default;
 
 HitVoxels::Pair HitVoxels::best_pair(const std::vector<int>& ray, double lambda,
                                      double reach) const {
+  // Voxels beyond the bound that a search still tells how far off they are, so that as many along
+  // the ray needn't be searched for. More makes each search dearer than what it saves.
+  constexpr double kLookAhead = 2;
   Pair best;
   best.cost = std::numeric_limits<double>::infinity();
   const auto offer = [&](int on_ray, int hit, double distance) {
     const double cost = distance + lambda * (all_.frames() - all_.of(hit));
     if (cost < best.cost) best = {on_ray, hit, distance, cost};
   };
+  std::vector<double> free;  // per voxel of the ray
   // Voxels that the ray shares with the frame come first: they cost no search, and bound it.
   for (const int voxel : ray)
     if (own_[voxel]) offer(voxel, voxel, 0);
   for (int h = int(at_least_.size()); h-- > 0;) {
     const double unseen = lambda * (all_.frames() - (h + 1));
-    const Tree& tree = *at_least_[h];
-    for (std::size_t i = 0; i < ray.size();) {
-      const double bound = std::min(reach, best.cost - unseen) / cube_.cell;
-      if (bound <= 1e-9) break;
-      const double at[3] = {tree.coordinate(ray[i], 0), tree.coordinate(ray[i], 1),
-                            tree.coordinate(ray[i], 2)};
-      std::size_t found = 0;
-      double squared = 0;
-      nanoflann::KNNResultSet<double> nearest(1);
-      nearest.init(&found, &squared);
-      tree.index.findNeighbors(nearest, at, nanoflann::SearchParams());
-      const double distance = std::sqrt(squared);
-      if (distance < bound) offer(ray[i], tree.voxels[found], distance * cube_.cell);
+    const Blocks& blocks = *at_least_[h];
+    const auto bound = [&] { return std::min(reach, best.cost - unseen) / cube_.cell; };
+    // Returns how far off the nearest is, or that it's farther than asked for.
+    const auto look = [&](int voxel) {
+      const Blocks::Nearest nearest =
+          blocks.nearest(place_of(voxel, cube_.side), bound() + kLookAhead);
+      if (nearest.voxel >= 0 && nearest.distance < bound())
+        offer(voxel, nearest.voxel, nearest.distance * cube_.cell);
+      return nearest.distance;
+    };
+    // First where the ray seems nearest: what is found there bounds all else.
+    std::size_t first = 0;
+    free.clear();
+    for (const int voxel : ray) free.push_back(blocks.free_about(place_of(voxel, cube_.side)));
+    first = std::size_t(std::min_element(free.begin(), free.end()) - free.begin());
+    if (first < ray.size() && free[first] < bound()) look(ray[first]);
+    for (std::size_t i = 0; i < ray.size() && bound() > 1e-9;) {
       // Voxels along the ray are a step of one apart, so the next ones are no nearer than this.
-      const double near = std::min(bound, std::min(reach, best.cost - unseen) / cube_.cell);
-      i += std::max(1, int(std::ceil(distance - near)));
+      const double least = free[i] >= bound() ? free[i] : look(ray[i]);
+      i += std::size_t(std::max(1, int(std::ceil(least - std::max(bound(), 0.0)))));
     }
   }
   if (best.on_ray < 0) best.cost = best.distance = reach;

@@ -62,11 +62,11 @@ class HitVoxels {
   Pair best_pair(const std::vector<int>& ray, double lambda, double reach) const;
 
  private:
-  struct Tree;
+  class Blocks;
   VoxelCube cube_;
   const HitCount& all_;
-  std::vector<char> own_;                        // per voxel: the frame hits it
-  std::vector<std::unique_ptr<Tree>> at_least_;  // its voxels with 1, 2, … hits of all
+  std::vector<char> own_;                          // per voxel: the frame hits it
+  std::vector<std::unique_ptr<Blocks>> at_least_;  // its voxels with 1, 2, … hits of all
 };
 
 }  // namespace artisketch
