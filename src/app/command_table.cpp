@@ -15,6 +15,9 @@ void add_run_flags(CLI::App& verb, Arguments& a) {
       ->check(CLI::IsMember(
           std::vector<std::string>(std::begin(kMethodNames), std::end(kMethodNames))));
   verb.add_option("--report", a.report, "what was done and how well it fits, as JSON");
+  verb.add_option("--threads", a.threads,
+                  "that work at once (default: all that the machine has); the result is the same")
+      ->check(CLI::Range(1, 1024));
   verb.add_flag("--quiet", a.quiet, "print nothing but warnings and errors");
   verb.add_flag("--progress", a.progress, "show progress even where standard error is no terminal");
 }

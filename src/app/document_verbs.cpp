@@ -1,5 +1,4 @@
 // What is done with a document alone: calibrate, check, and begin one with a skeleton.
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 
@@ -8,6 +7,7 @@
 #include "app/command_run.h"
 #include "app/outputs.h"
 #include "app/verbs.h"
+#include "base/at_once.h"
 #include "files/bytes.h"
 #include "files/document_check.h"
 #include "files/document_file.h"
@@ -16,6 +16,7 @@
 #include "files/motion_file.h"
 #include "files/report_file.h"
 #include "model/rig/own_skeleton.h"
+#include "model/stage_clock.h"
 
 namespace artisketch {
 
@@ -90,23 +91,24 @@ int calibrate_verb(const Arguments& a) {
   if (!document) return fail(document.error());
   if (const int status = judge_overwriting(targets, files_of(*document, a.in))) return status;
   CommandRun command(shows_progress(a));
-  command.run.now.stage = "calibrate";
-  const auto began = std::chrono::steady_clock::now();
+  command.run.threads = a.threads.value_or(threads_here());
+  std::vector<StageTime> stages;
+  StageClock clock(command.run, stages);
+  clock.start("calibrate", 0, 1);
   const Result<Calibration> result =
       calibrate(*document, {options_of(a, *document).method}, command.run);
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  clock.finish({});
   command.finish();
   if (!result) return fail(said_of(a.in, result.error()));
   print_warnings(result->warnings);
   std::vector<Output> outputs;
-  if (!a.report.empty()) outputs.push_back({a.report, report_text(*document, *result, seconds)});
+  if (!a.report.empty()) outputs.push_back({a.report, report_text(*document, *result, stages[0])});
   outputs.push_back({a.out, text_beside(with_poses(*document, *result), a.in, a.out)});
   if (const int status = write_all(outputs)) return status;
   if (!a.quiet)
     std::printf("%s: energy %.4g -> %.4g px\302\262 in %d iterations, %s\n", a.out.c_str(),
                 result->energy_before, result->energy_after, result->iterations,
-                seconds_text(seconds).c_str());
+                seconds_text(stages[0].seconds).c_str());
   return kDone;
 }
 

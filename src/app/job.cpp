@@ -1,7 +1,6 @@
 #include "app/job.h"
 
 #include <algorithm>
-#include <chrono>
 #include <new>
 
 #include "files/document_check.h"
@@ -10,6 +9,7 @@
 #include "files/image_file.h"
 #include "files/report_file.h"
 #include "model/consolidate/thinned.h"
+#include "model/stage_clock.h"
 
 namespace artisketch {
 namespace {
@@ -51,15 +51,15 @@ Result<JobResult> run_reconstruction(const Document& document, const JobRequest&
 }
 
 Result<JobResult> run_calibration(const Document& document, const JobRequest& request, Run& run) {
-  run.now.stage = "calibrate";
-  const auto began = std::chrono::steady_clock::now();
+  std::vector<StageTime> stages;
+  StageClock clock(run, stages);
+  clock.start("calibrate", 0, 1);
   Result<Calibration> found = calibrate(document, {request.options.method}, run);
   if (!found) return found.error();
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  clock.finish({});
   JobResult out;
   out.document = document_text(with_poses(document, *found));
-  out.report = report_text(document, *found, seconds);
+  out.report = report_text(document, *found, stages[0]);
   out.coverage = std::move(found->coverage);
   out.undetermined = std::move(found->undetermined);
   out.warnings = std::move(found->warnings);

@@ -4,6 +4,8 @@
 #include <mutex>
 #include <thread>
 
+#include "base/at_once.h"
+
 namespace artisketch {
 
 struct ThreadJobs::Work {
@@ -21,6 +23,7 @@ struct ThreadJobs::Work {
   void run(const JobRequest& request, const std::function<void()>& wake) {
     Run run;
     run.cancel = &cancel;
+    run.threads = threads_here();
     run.on_progress = [this, &wake](const Progress& now) {
       {
         const std::lock_guard lock(guard);

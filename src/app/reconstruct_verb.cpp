@@ -7,6 +7,7 @@
 #include "app/many_documents.h"
 #include "app/outputs.h"
 #include "app/verbs.h"
+#include "base/at_once.h"
 #include "files/bytes.h"
 #include "files/document_file.h"
 #include "files/gltf.h"
@@ -227,6 +228,7 @@ int reconstruct_one(Arguments& a, std::string* report) {
   CommandRun command(shows_progress(a));
   Trace trace;
   if (!a.trace.empty()) command.run.trace = &trace;
+  command.run.threads = a.threads.value_or(std::max(1, threads_here() / a.jobs));
   Result<Reconstruction> result = reconstruct(document, options, command.run);
   command.finish();
   // What a failed run found before it failed is wanted most of all.

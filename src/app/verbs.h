@@ -20,6 +20,7 @@ struct Arguments {
   std::vector<std::string> documents;  // of reconstruct, which takes many; each is `in` in its turn
   bool skip_existing = false;
   int jobs = 1;
+  std::optional<int> threads;  // of each; as many as the machine runs at once
   int frame = 0, turntable = 0;
   bool clear = false;
   double yaw = 0, pitch = 0;

@@ -150,24 +150,29 @@ double position_step(const Points3& points) {
 }
 
 Adjacency vertex_adjacency(const Mesh& mesh) {
-  std::vector<std::pair<int, int>> pairs;
-  pairs.reserve(6 * mesh.F.rows());
+  // Every edge from both its triangles first, each vertex' in a row; then what is double goes.
+  std::vector<int> next(mesh.V.rows() + 1, 0);
+  for (int f = 0; f < mesh.F.rows(); ++f)
+    for (int c = 0; c < 3; ++c) next[mesh.F(f, c) + 1] += 2;
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  const std::vector<int> begin = next;
+  std::vector<int> twice(next.back());
   for (int f = 0; f < mesh.F.rows(); ++f)
     for (int c = 0; c < 3; ++c) {
       const int a = mesh.F(f, c), b = mesh.F(f, (c + 1) % 3);
-      pairs.emplace_back(a, b);
-      pairs.emplace_back(b, a);
+      twice[next[a]++] = b;
+      twice[next[b]++] = a;
     }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   Adjacency adjacency;
-  adjacency.offsets.assign(mesh.V.rows() + 1, 0);
-  adjacency.neighbours.reserve(pairs.size());
-  for (const auto& [a, b] : pairs) {
-    ++adjacency.offsets[a + 1];
-    adjacency.neighbours.push_back(b);
+  adjacency.offsets.reserve(begin.size());
+  adjacency.offsets.push_back(0);
+  adjacency.neighbours.reserve(twice.size() / 2);
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+    const auto first = twice.begin() + begin[v], last = twice.begin() + begin[v + 1];
+    std::sort(first, last);
+    adjacency.neighbours.insert(adjacency.neighbours.end(), first, std::unique(first, last));
+    adjacency.offsets.push_back(int(adjacency.neighbours.size()));
   }
-  std::partial_sum(adjacency.offsets.begin(), adjacency.offsets.end(), adjacency.offsets.begin());
   return adjacency;
 }
 

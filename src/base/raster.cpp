@@ -157,6 +157,16 @@ void add_triangles(std::span<const Vec2> pixels, const Triangles& F, Mask& mask)
               [&](int y, int x0, int x1) { std::memset(&mask.at(x0, y), 1, x1 - x0); });
 }
 
+void add_surface(std::span<const Vec2> pixels, const Triangles& F, Mask& mask) {
+  for (int f = 0; f < F.rows(); ++f) {
+    const Vec2 &a = pixels[F(f, 0)], &b = pixels[F(f, 1)], &c = pixels[F(f, 2)];
+    const Vec2 u = b - a, v = c - a;
+    if (u.x() * v.y() - u.y() * v.x() < 0) continue;
+    for_spans(a, b, c, mask.width, mask.height,
+              [&](int y, int x0, int x1) { std::memset(&mask.at(x0, y), 1, x1 - x0); });
+  }
+}
+
 double intersection_over_union(const Mask& a, const Mask& b) {
   ensure(a.width == b.width && a.height == b.height, "masks of one size");
   std::size_t both = 0, either = 0;

@@ -30,6 +30,10 @@ void add_polygons(std::span<const std::vector<Vec2>> polygons, Mask& mask);
 // Adds the triangles F of the projected vertices `pixels` (#V) to the mask.
 void add_triangles(std::span<const Vec2> pixels, const Triangles& F, Mask& mask);
 
+// The same for a closed surface, of which the triangles that turn one way cover what all do: half
+// the work.
+void add_surface(std::span<const Vec2> pixels, const Triangles& F, Mask& mask);
+
 // 1 where both are empty. Masks of one size.
 double intersection_over_union(const Mask& a, const Mask& b);
 

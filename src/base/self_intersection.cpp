@@ -21,10 +21,19 @@ bool passes(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& t, double e
   return (a > eps && b > eps && c > eps) || (a < -eps && b < -eps && c < -eps);
 }
 
-bool triangles_cross(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t, double eps) {
+// Whether an edge of s passes through t. Most triangles lie on one side of their neighbours'
+// planes.
+bool edges_pass(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t, double eps) {
+  const Vec3 v(volume(t[0], t[1], t[2], s[0]), volume(t[0], t[1], t[2], s[1]),
+               volume(t[0], t[1], t[2], s[2]));
+  if (!(v.maxCoeff() > eps && v.minCoeff() < -eps)) return false;
   for (int e = 0; e < 3; ++e)
-    if (passes(s[e], s[(e + 1) % 3], t, eps) || passes(t[e], t[(e + 1) % 3], s, eps)) return true;
+    if (passes(s[e], s[(e + 1) % 3], t, eps)) return true;
   return false;
+}
+
+bool triangles_cross(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t, double eps) {
+  return edges_pass(s, t, eps) || edges_pass(t, s, eps);
 }
 
 }  // namespace

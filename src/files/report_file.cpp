@@ -31,6 +31,8 @@ Json stages_json(const std::vector<StageTime>& stages) {
   Json all = Json::array();
   for (const StageTime& stage : stages) {
     Json one = {{"stage", stage.stage}, {"seconds", number(stage.seconds)}};
+    one["cpu_seconds"] = number(stage.cpu_seconds);
+    if (stage.peak_bytes > 0) one["peak_bytes"] = number(stage.peak_bytes);
     for (const auto& [name, size] : stage.sizes) one["sizes"][name] = number(size);
     all.push_back(std::move(one));
   }
@@ -131,9 +133,10 @@ std::string report_text(const Document& document, const Reconstruction& result,
   return json_text(report);
 }
 
-std::string report_text(const Document& document, const Calibration& result, double seconds) {
+std::string report_text(const Document& document, const Calibration& result,
+                        const StageTime& stage) {
   Json report = head(document);
-  report["stages"] = stages_json({{"calibrate", seconds, {}}});
+  report["stages"] = stages_json({stage});
   report["calibration"] = calibration_json(document, result);
   report["warnings"] = words(result.warnings);
   return json_text(report);

@@ -42,7 +42,8 @@ std::string report_text(const Document& document, const Reconstruction& result,
                         std::span<const MovedBy> moved = {});
 
 // Of `artisketch calibrate`: one stage that took `seconds`.
-std::string report_text(const Document& document, const Calibration& result, double seconds);
+std::string report_text(const Document& document, const Calibration& result,
+                        const StageTime& stage);
 
 // What became of one of many documents.
 struct DocumentOutcome {

@@ -35,9 +35,10 @@ struct Trace {
 };
 
 struct Run {
-  std::function<void(const Progress&)> on_progress;  // called on the computing thread; may be empty
+  std::function<void(const Progress&)> on_progress;  // called by one thread at a time; may be empty
   const std::atomic<bool>* cancel = nullptr;  // set from elsewhere; polled at least every 0.2 s
   Trace* trace = nullptr;
+  int threads = 1;  // at most; results are the same, to the bit, for any number
 
   bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
 

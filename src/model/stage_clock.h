@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "base/process_use.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -20,20 +21,16 @@ class StageClock {
     run_.from = from;
     run_.to = to;
     run_.report(0);
-    times_.push_back({name, 0, {}});
+    times_.push_back({name, 0, 0, 0, {}});
+    cpu_ = process_use().cpu_seconds;
     began_ = std::chrono::steady_clock::now();
-  }
-  void part(const std::string& name, int part, int parts, double from, double to) {
-    run_.now.item = name;
-    run_.now.part = part;
-    run_.now.parts = parts;
-    run_.from = from + (to - from) * part / parts;
-    run_.to = from + (to - from) * (part + 1) / parts;
-    run_.report(0);
   }
   void finish(std::vector<std::pair<std::string, double>> sizes) {
     times_.back().seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+    const ProcessUse use = process_use();
+    times_.back().cpu_seconds = use.cpu_seconds - cpu_;
+    times_.back().peak_bytes = use.peak_bytes;
     times_.back().sizes = std::move(sizes);
   }
 
@@ -41,6 +38,7 @@ class StageClock {
   Run& run_;
   std::vector<StageTime>& times_;
   std::chrono::steady_clock::time_point began_;
+  double cpu_ = 0;  // the process's, when the stage began
 };
 
 }  // namespace artisketch

@@ -261,6 +261,8 @@ PipelineOptions with_settings(PipelineOptions options, const DocumentSettings& s
 struct StageTime {
   std::string stage;
   double seconds = 0;
+  double cpu_seconds = 0;  // of all threads
+  double peak_bytes = 0;   // the most memory that the process had held when it ended; 0: unknown
   std::vector<std::pair<std::string, double>> sizes;  // "cells", "vertices", "unknowns" …
 };
 
@@ -290,7 +292,7 @@ Result<Reconstruction> reconstruct(const Document& document, const PipelineOptio
 
 // How well a posed model fits the drawings (rasterised twice as finely, to 2048 samples a side).
 std::vector<FrameFit> measure_fit(const Document& calibrated, const Model& model,
-                                  std::span<const PartSurface> parts);
+                                  std::span<const PartSurface> parts, int threads = 1);
 
 // The symmetric mean contour distance of a part's mesh in each of its views, fast: at half the
 // sketch's resolution. Pixels; +infinity where there is nothing to compare.

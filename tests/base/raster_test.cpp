@@ -189,5 +189,23 @@ TEST(Raster, ASphereCoversItsDisc) {
   EXPECT_NEAR(count(mask), kPi * 200 * 200, 0.002 * kPi * 200 * 200);
 }
 
+// Dented, so that it covers itself; smaller than a pixel, larger; either way round; cut by the
+// border.
+TEST(Raster, AClosedSurfaceCoversWhatAllItsTrianglesDo) {
+  Mesh dented = icosphere(Vec3::Zero(), 1, 4);
+  for (int v = 0; v < dented.V.rows(); ++v)
+    dented.V.row(v) *= 1 + 0.6 * std::sin(9 * dented.V(v, 0)) * std::cos(7 * dented.V(v, 1));
+  for (const double scale : {3.0, 40.0, -40.0, 200.0}) {
+    std::vector<Vec2> pixels;
+    for (int v = 0; v < dented.V.rows(); ++v)
+      pixels.emplace_back(70 + scale * dented.V(v, 0), 80 + std::abs(scale) * dented.V(v, 1));
+    Mask all(150, 160), surface(150, 160);
+    add_triangles(pixels, dented.F, all);
+    add_surface(pixels, dented.F, surface);
+    EXPECT_GT(count(all), 0);
+    EXPECT_EQ(all.in, surface.in) << scale;
+  }
+}
+
 }  // namespace
 }  // namespace artisketch

@@ -49,7 +49,8 @@ void expect_calibration(const nlohmann::json& read) {
 
 TEST(ReportFile, ARunTellsStagesFitsAndCalibration) {
   Reconstruction result;
-  result.stages = {{"hull", 0.5, {{"cells", 1000000}, {"vertices", 8000}}}, {"skin", 0.25, {}}};
+  result.stages = {{"hull", 0.5, 0.75, 2e6, {{"cells", 1000000}, {"vertices", 8000}}},
+                   {"skin", 0.25, 0.25, 0, {}}};
   result.fits.resize(2);
   result.fits[0] = {0.97, {{0, 1.5}, {1, std::numeric_limits<double>::quiet_NaN()}}};
   result.coloured = {0.75, 0.25};
@@ -59,6 +60,9 @@ TEST(ReportFile, ARunTellsStagesFitsAndCalibration) {
   EXPECT_EQ(report["document"], "two");
   EXPECT_EQ(report["stages"][0]["stage"], "hull");
   EXPECT_EQ(report["stages"][0]["seconds"], 0.5);
+  EXPECT_EQ(report["stages"][0]["cpu_seconds"], 0.75);
+  EXPECT_EQ(report["stages"][0]["peak_bytes"], 2e6);
+  EXPECT_FALSE(report["stages"][1].contains("peak_bytes"));  // unknown, not nothing
   EXPECT_EQ(report["frames"][1]["coloured"], 0.25);
   EXPECT_EQ(report["stages"][0]["sizes"]["cells"], 1000000);
   ASSERT_EQ(report["frames"].size(), 2u);
@@ -79,9 +83,11 @@ TEST(ReportFile, ARunWithoutCalibrationSaysSo) {
 }
 
 TEST(ReportFile, CalibrationAloneIsOneStage) {
-  const auto report = nlohmann::json::parse(report_text(two_frames(), some_calibration(), 1.75));
+  const auto report = nlohmann::json::parse(
+      report_text(two_frames(), some_calibration(), {"calibrate", 1.75, 1.5, 1e6, {}}));
   ASSERT_EQ(report["stages"].size(), 1u);
   EXPECT_EQ(report["stages"][0]["seconds"], 1.75);
+  EXPECT_EQ(report["stages"][0]["cpu_seconds"], 1.5);
   expect_calibration(report["calibration"]);
 }
 

@@ -64,7 +64,7 @@ TEST_P(Pipeline, TheHeartsShiftIsFound) {
                        heart.camera.pixels_per_unit;
   const double voxel = 1.6 * std::hypot(1, width) / 96;  // of the heart's height
   EXPECT_NEAR(std::abs(moved) / height, 0.2, GetParam() == Method::paper ? voxel : 0.015);
-  const double covered = GetParam() == Method::paper ? 0.92 : 0.999;
+  const double covered = GetParam() == Method::paper ? 0.9 : 0.999;
   for (const PartCoverage& c : result->calibration->coverage) EXPECT_GE(c.after, covered);
 }
 
@@ -124,6 +124,65 @@ TEST(Pipeline, IsDeterministic) {
   ASSERT_TRUE(one && two);
   EXPECT_EQ(one->model.mesh.V, two->model.mesh.V);
   EXPECT_EQ(one->model.mesh.F, two->model.mesh.F);
+}
+
+// Two drawings' worth of calibration, parts at once and their trace, by either method.
+TEST_P(Pipeline, AnyNumberOfThreadsMakesTheSame) {
+  const Document document = example(GetParam() == Method::paper ? "heart" : "robot");
+  PipelineOptions options;
+  options.method = GetParam();
+  options.grid = 24;
+  const auto made_by = [&](int threads, Trace& trace) {
+    artisketch::Run run;
+    run.threads = threads;
+    run.trace = &trace;
+    double last = 0;
+    run.on_progress = [&](const Progress& now) {
+      EXPECT_GE(now.fraction, last);
+      last = now.fraction;
+    };
+    return reconstruct(document, options, run);
+  };
+  Trace trace_of_one;
+  const auto one = made_by(1, trace_of_one);
+  ASSERT_TRUE(one);
+  for (const int threads : {2, 5}) {
+    Trace trace;
+    const auto several = made_by(threads, trace);
+    ASSERT_TRUE(several);
+    EXPECT_EQ(one->model.mesh.V, several->model.mesh.V);
+    EXPECT_EQ(one->model.mesh.F, several->model.mesh.F);
+    EXPECT_EQ(one->model.weights.weights, several->model.weights.weights);
+    EXPECT_EQ(one->warnings, several->warnings);
+    EXPECT_EQ(one->calibration->iterations, several->calibration->iterations);
+    for (std::size_t f = 0; f < one->fits.size(); ++f) {
+      EXPECT_EQ(one->fits[f].iou, several->fits[f].iou);
+      ASSERT_EQ(one->fits[f].parts.size(), several->fits[f].parts.size());
+      for (std::size_t p = 0; p < one->fits[f].parts.size(); ++p)
+        EXPECT_EQ(one->fits[f].parts[p].distance, several->fits[f].parts[p].distance);
+    }
+    ASSERT_EQ(trace.entries.size(), trace_of_one.entries.size());
+    for (std::size_t i = 0; i < trace.entries.size(); ++i)
+      EXPECT_EQ(trace.entries[i].name, trace_of_one.entries[i].name);
+  }
+}
+
+TEST(Pipeline, EveryStageTellsItsTimesAndMemory) {
+  PipelineOptions options;
+  options.grid = 24;
+  artisketch::Run run;
+  const auto made = reconstruct(example("heart"), options, run);
+  ASSERT_TRUE(made);
+  double peak = 0, cpu = 0;
+  for (const StageTime& stage : made->stages) {
+    EXPECT_GE(stage.seconds, 0) << stage.stage;
+    EXPECT_GE(stage.cpu_seconds, 0) << stage.stage;
+    EXPECT_GE(stage.peak_bytes, peak) << stage.stage;  // so far
+    peak = stage.peak_bytes;
+    cpu += stage.cpu_seconds;
+  }
+  EXPECT_GT(cpu, 0);
+  EXPECT_GT(peak, 1e6);
 }
 
 TEST(Pipeline, HasTheTrianglesAskedForOrSaysWhyNot) {

@@ -12,6 +12,7 @@
 
 #include <Eigen/Dense>
 
+#include "base/at_once.h"
 #include "base/golden_section.h"
 #include "model/calibrate/calibrate.h"
 #include "model/calibrate/euler_solver.h"
@@ -116,48 +117,63 @@ void pair_up(const PartRays& part, const Sight& from, const VoxelRays& rays, con
              int stride, const Add& add) {
   const double cell = part.cube.cell, reach = 0.5 * cell * part.cube.side;
   for (std::size_t i = 0; i < rays.size(); i += stride) {
-    const HitVoxels::Pair pair = to.best_pair(rays[i], kLambda * cell, reach);
+    const Ray ray = from.view.ray(from.pixels[i]);
+    const HitVoxels::Pair pair = to.best_pair(rays[i], ray, kLambda * cell, reach);
     if (pair.on_ray < 0) {
       add(pair, Vec3::Zero(), Vec3::Zero());
       continue;
     }
     const Vec3 hit = part.cube.centre(pair.hit);
-    const Ray ray = from.view.ray(from.pixels[i]);
     add(pair, ray.at((hit - ray.origin).dot(ray.direction)), hit);
   }
 }
 
+struct PartMatches {
+  std::vector<PointPair> pairs;
+  double sum = 0, count = 0;  // of squared distances, pixels²
+};
+
 // The pairs of the newest frame, posed by its view's motion, with every earlier one, both ways.
 // `stride` takes every so many-th pixel.
-Matches match(const std::vector<PartRays>& parts, int stride) {
+PartMatches match_part(const PartRays& part, int stride) {
+  PartMatches out;
+  const PartView& view = part.newest.view;
+  const double reach = 0.5 * part.cube.cell * part.cube.side;
+  const double scale = view.pixels_per_unit(part.cube.origin + Vec3::Constant(reach));
+  const auto add = [&](const HitVoxels::Pair& pair, const Vec3& earlier, const Vec3& newest) {
+    const bool rests = pair.distance == 0 && pair.on_ray >= 0;
+    const double apart = rests             ? 0
+                         : pair.on_ray < 0 ? reach * scale
+                                           : (earlier - newest).norm() * scale;
+    out.sum += apart * apart;
+    ++out.count;
+    if (pair.on_ray < 0) return;
+    // Pairs at rest are closer than the voxels can tell: they hold the point where it is.
+    out.pairs.push_back({part.joint, rests ? newest : earlier, view.to_world * newest, 1});
+  };
+  const VoxelRays newest_rays = voxels_of(part.cube, part.newest);
+  HitCount all = part.earlier_count[0];
+  all.add(newest_rays);
+  const HitVoxels newest_hits(part.cube, newest_rays, all);
+  for (std::size_t s = 0; s < part.earlier.size(); ++s) {
+    const HitVoxels earlier_hits(part.cube, part.earlier_rays[s], all);
+    pair_up(part, part.newest, newest_rays, earlier_hits, stride,
+            [&](const auto& pair, const Vec3& from, const Vec3& to) { add(pair, to, from); });
+    pair_up(part, part.earlier[s], part.earlier_rays[s], newest_hits, stride,
+            [&](const auto& pair, const Vec3& from, const Vec3& to) { add(pair, from, to); });
+  }
+  return out;
+}
+
+Matches match(const std::vector<PartRays>& parts, int stride, int threads) {
+  std::vector<PartMatches> each(parts.size());
+  at_once(int(parts.size()), threads, [&](int p) { each[p] = match_part(parts[p], stride); });
   Matches out;
   double sum = 0, count = 0;
-  for (const PartRays& part : parts) {
-    const PartView& view = part.newest.view;
-    const double reach = 0.5 * part.cube.cell * part.cube.side;
-    const double scale = view.pixels_per_unit(part.cube.origin + Vec3::Constant(reach));
-    const auto add = [&](const HitVoxels::Pair& pair, const Vec3& earlier, const Vec3& newest) {
-      const bool rests = pair.distance == 0 && pair.on_ray >= 0;
-      const double apart = rests             ? 0
-                           : pair.on_ray < 0 ? reach * scale
-                                             : (earlier - newest).norm() * scale;
-      sum += apart * apart;
-      ++count;
-      if (pair.on_ray < 0) return;
-      // Pairs at rest are closer than the voxels can tell: they hold the point where it is.
-      out.pairs.push_back({part.joint, rests ? newest : earlier, view.to_world * newest, 1});
-    };
-    const VoxelRays newest_rays = voxels_of(part.cube, part.newest);
-    HitCount all = part.earlier_count[0];
-    all.add(newest_rays);
-    const HitVoxels newest_hits(part.cube, newest_rays, all);
-    for (std::size_t s = 0; s < part.earlier.size(); ++s) {
-      const HitVoxels earlier_hits(part.cube, part.earlier_rays[s], all);
-      pair_up(part, part.newest, newest_rays, earlier_hits, stride,
-              [&](const auto& pair, const Vec3& from, const Vec3& to) { add(pair, to, from); });
-      pair_up(part, part.earlier[s], part.earlier_rays[s], newest_hits, stride,
-              [&](const auto& pair, const Vec3& from, const Vec3& to) { add(pair, from, to); });
-    }
+  for (const PartMatches& part : each) {
+    out.pairs.insert(out.pairs.end(), part.pairs.begin(), part.pairs.end());
+    sum += part.sum;
+    count += part.count;
   }
   out.energy = count ? sum / count : 0;
   return out;
@@ -197,7 +213,7 @@ Pose procrustes(const Skeleton& skeleton, const Pose& user, const std::vector<Po
 // The dolly: the root's place along the view axis, which the pairs determine poorly in perspective
 // (moving away looks like shrinking). Golden-section search over the pairs' energy.
 Pose dollied(const Document& document, std::vector<PartRays>& parts, const Pose& user,
-             const Pose& pose, const EulerLimits& limits, double span) {
+             const Pose& pose, const EulerLimits& limits, double span, int threads) {
   const auto moved = [&](double z) {
     Pose p = pose;
     p.root_position.z() += z;
@@ -205,7 +221,7 @@ Pose dollied(const Document& document, std::vector<PartRays>& parts, const Pose&
   };
   const auto energy = [&](double z) {
     pose_newest(parts, document.skeleton, moved(z));
-    return match(parts, 3).energy;
+    return match(parts, 3, threads).energy;
   };
   constexpr int kSteps = 7;
   const Minimum best = golden_section(-span, span, kSteps, energy);
@@ -241,7 +257,7 @@ Result<Refined> refine(const Document& document, int newest, const Pose& user,
     for (int i = 0; i <= kIterations; ++i) {
       if (run.cancelled()) return cancelled();
       pose_newest(parts, document.skeleton, pose);
-      const Matches matches = match(parts, 1);
+      const Matches matches = match(parts, 1, run.threads);
       if (level == 0 && i == 0) out.before = matches.energy;
       if (matches.energy < best_energy) {
         best_energy = matches.energy;
@@ -256,7 +272,7 @@ Result<Refined> refine(const Document& document, int newest, const Pose& user,
       pose = next;
       ++out.iterations;
       if (searching && i % kDollyEvery == kDollyEvery - 1) {
-        pose = dollied(document, parts, user, pose, limits, span);
+        pose = dollied(document, parts, user, pose, limits, span, run.threads);
         span *= 0.8;
       } else if (!searching && change < kSettled) {
         break;

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/at_once.h"
 #include "base/trigonometry.h"
 #include "document/place_words.h"
 #include "model/calibrate/calibration_words.h"
@@ -62,6 +63,7 @@ constexpr double kOutstanding = 5;
 constexpr double kTurn = radians(25);
 constexpr int kMostTurned = 12;
 constexpr int kTurnIterations = 12;
+constexpr std::size_t kMostFinished = 3;  // of the ways to turn a joint
 
 constexpr int kHoldIterations = 10;
 constexpr std::size_t kMostHeld = 24;  // joints without contours, looked at one by one
@@ -113,16 +115,24 @@ PoseFreedom freedom_of(const Document& document, bool first, std::vector<std::st
 
 // Three starts, or fewer where some come to the same, the best first: the user's poses by narrowing
 // kernels, the landmarks' poses likewise, and the user's poses with the narrow kernel at once.
-std::vector<SolvedPoses> starts_of(PoseSolver& solver, const PoseChange& user) {
-  const auto narrowed = [&](PoseChange start) {
-    SolvedPoses s = solver.minimise(std::move(start), kPlain, kIterations);
-    s = solver.minimise(std::move(s.change), kWideKernel, kIterations);
-    return solver.minimise(std::move(s.change), kNarrowKernel, kIterations);
+std::vector<SolvedPoses> starts_of(const PoseSolver& solver, const PoseChange& user, int threads,
+                                   int& iterations) {
+  const auto narrowed = [&](PoseSolver& by, PoseChange start) {
+    SolvedPoses s = by.minimise(std::move(start), kPlain, kIterations);
+    s = by.minimise(std::move(s.change), kWideKernel, kIterations);
+    return by.minimise(std::move(s.change), kNarrowKernel, kIterations);
   };
   const PoseEnergy landmarks{0, 0, kLead};
-  std::vector<SolvedPoses> starts = {narrowed(user),
-                                     narrowed(solver.minimise(user, landmarks, kIterations).change),
-                                     solver.minimise(user, kNarrowKernel, kIterations)};
+  constexpr int kStarts = 3;
+  std::vector<PoseSolver> solvers(kStarts, solver);
+  std::vector<SolvedPoses> starts(kStarts);
+  at_once(kStarts, threads, [&](int i) {
+    PoseSolver& by = solvers[i];
+    starts[i] = i == 0   ? narrowed(by, user)
+                : i == 1 ? narrowed(by, by.minimise(user, landmarks, kIterations).change)
+                         : by.minimise(user, kNarrowKernel, kIterations);
+  });
+  for (const PoseSolver& by : solvers) iterations += by.iterations();
   std::stable_sort(starts.begin(), starts.end(),
                    [](const SolvedPoses& a, const SolvedPoses& b) { return a.energy < b.energy; });
   const auto same = [](const SolvedPoses& a, const SolvedPoses& b) {
@@ -216,22 +226,37 @@ class Outward {
           const PosePrior& prior, const PoseChange& from, int joint, Run& run)
       : outward_(outward_of(document.skeleton, joint)),
         residuals_(residuals.of(outward_)),
+        run_(run),
         solver_(document, residuals_, only(freedom), prior, run),
         best_{from, solver_.energy(from, kNarrowKernel)},
         before_(best_.energy) {}
 
-  void start_at(PoseChange start) {
-    SolvedPoses s = solver_.minimise(std::move(start), kWideKernel, kTurnIterations / 3);
-    s = solver_.minimise(std::move(s.change), kNarrowKernel, kTurnIterations);
-    if (s.energy < best_.energy) best_ = std::move(s);
+  // A few steps show which of them lead anywhere: those alone go on to the end.
+  void start_at(std::vector<PoseChange> starts) {
+    std::vector<SolvedPoses> tried(starts.size());
+    at_once(int(starts.size()), run_.threads, [&](int i) {
+      PoseSolver solver = solver_;
+      tried[i] = solver.minimise(std::move(starts[i]), kWideKernel, kTurnIterations / 3);
+      tried[i].energy = solver.energy(tried[i].change, kNarrowKernel);
+    });
+    std::stable_sort(tried.begin(), tried.end(), [](const SolvedPoses& a, const SolvedPoses& b) {
+      return a.energy < b.energy;
+    });
+    if (tried.size() > kMostFinished) tried.resize(kMostFinished);
+    at_once(int(tried.size()), run_.threads, [&](int i) {
+      PoseSolver solver = solver_;
+      tried[i] = solver.minimise(std::move(tried[i].change), kNarrowKernel, kTurnIterations);
+    });
+    for (SolvedPoses& end : tried)
+      if (end.energy < best_.energy) best_ = std::move(end);
   }
   // The user's rotations in one frame; as they are and led by landmarks.
   void start_at_users(const PoseChange& from, int frame) {
     PoseChange start = from;
     for (std::size_t j = 0; j < outward_.size(); ++j)
       if (outward_[j]) start[frame].rotation[j].setZero();
-    start_at(start);
-    start_at(solver_.minimise(std::move(start), {0, 0, kLead}, kTurnIterations).change);
+    PoseChange led = solver_.minimise(start, {0, 0, kLead}, kTurnIterations).change;
+    start_at({std::move(start), std::move(led)});
   }
   Placement at(const PoseChange& change) const { return solver_.at(change); }
   std::optional<PoseChange> better() const {
@@ -251,6 +276,7 @@ class Outward {
 
   std::vector<char> outward_;
   RayResiduals residuals_;
+  Run& run_;
   PoseSolver solver_;
   SolvedPoses best_;
   double before_;
@@ -264,11 +290,12 @@ std::optional<PoseChange> turned_out(const Document& document, const RayResidual
   const Vec3 now = from[where.frame].rotation[where.joint];
   const Mat3 axes = joint.at(from).posed[where.frame][where.joint].linear();
   const Vec3 bone = middle_of_bones(document, where.joint);
+  std::vector<PoseChange> starts;
   for (const Vec3& rotation : turned(now, axes, bone, freedom.max_rotation)) {
-    PoseChange start = from;
-    start[where.frame].rotation[where.joint] = rotation;
-    joint.start_at(std::move(start));
+    starts.push_back(from);
+    starts.back()[where.frame].rotation[where.joint] = rotation;
   }
+  joint.start_at(std::move(starts));
   if (auto better = joint.better()) return better;
   Outward limb(document, residuals, freedom, prior, from,
                start_of_limb(document.skeleton, where.joint), run);
@@ -371,7 +398,7 @@ Result<Calibration> calibrate_rays(const Document& given, Run& run) {
   PoseSolver solver(document, residuals, freedom, widest, run);
   const PoseChange user = no_change(document);
   solver.narrow_prior(user);
-  const std::vector<SolvedPoses> starts = starts_of(solver, user);
+  const std::vector<SolvedPoses> starts = starts_of(solver, user, run.threads, result.iterations);
   run.report(0.4);
   SolvedPoses best = starts.front();
   for (const SolvedPoses& start : starts) {
@@ -408,7 +435,7 @@ Result<Calibration> calibrate_rays(const Document& given, Run& run) {
   if (run.cancelled()) return cancelled();
   result.energy_before = robust(user);
   result.energy_after = robust(best.change);
-  result.iterations = solver.iterations() + fine.iterations();
+  result.iterations += solver.iterations() + fine.iterations();
   result.poses = as_given(solver.poses(best.change), order);
   result.scales = as_given(solver.scales(best.change), order);
   return result;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "base/ensure.h"
@@ -71,7 +72,8 @@ class HitVoxels::Blocks {
     int voxel = -1;       // −1: none within the bound
     double distance = 0;  // in voxels; the bound where there's none
   };
-  Nearest nearest(const Place& at, double bound) const;
+  // line: the ray, whole numbers at the voxels' centres.
+  Nearest nearest(const Place& at, const Ray& line, double bound) const;
 
  private:
   static constexpr int kBlock = 4;
@@ -92,7 +94,7 @@ class HitVoxels::Blocks {
     return (~std::uint64_t(0) >> (63 - last)) & (~std::uint64_t(0) << first);
   }
   static int lowest_bit(std::uint64_t bits) { return __builtin_ctzll(bits); }
-  void look_in(int block, const Place& at, int& least, int& found) const;
+  void look_in(int block, const Place& at, const Ray& line, int& least, int& found) const;
 
   int blocks_ = 0;                     // along an edge
   std::vector<std::uint64_t> filled_;  // per row of blocks, those with voxels
@@ -152,16 +154,24 @@ void HitVoxels::Blocks::spread_distances() {
   for (float& v : least_) v = std::sqrt(v);
 }
 
-void HitVoxels::Blocks::look_in(int block, const Place& at, int& least, int& found) const {
+void HitVoxels::Blocks::look_in(int block, const Place& at, const Ray& line, int& least,
+                                int& found) const {
+  const auto to_line = [&](int i) {
+    const Vec3 d = Vec3(places_[i][0], places_[i][1], places_[i][2]) - line.origin;
+    return d.cross(line.direction).squaredNorm();
+  };
   for (int i = begin_[block]; i < begin_[block + 1]; ++i) {
     const int x = places_[i][0] - at[0], y = places_[i][1] - at[1], z = places_[i][2] - at[2];
     const int squared = x * x + y * y + z * z;
-    if (squared <= least) least = squared, found = i;
+    if (squared < least || (squared == least && (found < 0 || to_line(i) < to_line(found))))
+      least = squared, found = i;
   }
 }
 
-// In shells of blocks about the one that `at` lies in. Of voxels equally near, the last is taken.
-HitVoxels::Blocks::Nearest HitVoxels::Blocks::nearest(const Place& at, double bound) const {
+// In shells of blocks about the one that `at` lies in. Of voxels equally near, the one
+// that the ray itself comes nearest to.
+HitVoxels::Blocks::Nearest HitVoxels::Blocks::nearest(const Place& at, const Ray& line,
+                                                      double bound) const {
   int least = int(std::ceil(bound * bound)), found = -1;  // squares of whole numbers are whole
   const int bx = at[0] / kBlock, by = at[1] / kBlock, bz = at[2] / kBlock;
   const auto squared_to = [](int at, int block) {
@@ -180,7 +190,7 @@ HitVoxels::Blocks::Nearest HitVoxels::Blocks::nearest(const Place& at, double bo
         for (; filled; filled &= filled - 1) {
           const int x = lowest_bit(filled);
           if (off_row + squared_to(at[0], x) <= least)
-            look_in(x + blocks_ * (y + blocks_ * z), at, least, found);
+            look_in(x + blocks_ * (y + blocks_ * z), at, line, least, found);
         }
       }
   }
@@ -215,7 +225,7 @@ HitVoxels::HitVoxels(const VoxelCube& cube, const VoxelRays& frame, const HitCou
 HitVoxels::~HitVoxels() = default;
 HitVoxels::HitVoxels(HitVoxels&&) noexcept = default;
 
-HitVoxels::Pair HitVoxels::best_pair(const std::vector<int>& ray, double lambda,
+HitVoxels::Pair HitVoxels::best_pair(const std::vector<int>& ray, const Ray& through, double lambda,
                                      double reach) const {
   // Voxels beyond the bound that a search still tells how far off they are, so that as many along
   // the ray needn't be searched for. More makes each search dearer than what it saves.
@@ -227,30 +237,36 @@ HitVoxels::Pair HitVoxels::best_pair(const std::vector<int>& ray, double lambda,
     if (cost < best.cost) best = {on_ray, hit, distance, cost};
   };
   std::vector<double> free;  // per voxel of the ray
+  const Ray line{(through.origin - cube_.origin) / cube_.cell - Vec3::Constant(0.5),
+                 through.direction};
   // Voxels that the ray shares with the frame come first: they cost no search, and bound it.
   for (const int voxel : ray)
     if (own_[voxel]) offer(voxel, voxel, 0);
   for (int h = int(at_least_.size()); h-- > 0;) {
     const double unseen = lambda * (all_.frames() - (h + 1));
     const Blocks& blocks = *at_least_[h];
-    const auto bound = [&] { return std::min(reach, best.cost - unseen) / cube_.cell; };
-    // Returns how far off the nearest is, or that it's farther than asked for.
-    const auto look = [&](int voxel) {
-      const Blocks::Nearest nearest =
-          blocks.nearest(place_of(voxel, cube_.side), bound() + kLookAhead);
-      if (nearest.voxel >= 0 && nearest.distance < bound())
-        offer(voxel, nearest.voxel, nearest.distance * cube_.cell);
-      return nearest.distance;
-    };
-    // First where the ray seems nearest: what is found there bounds all else.
-    std::size_t first = 0;
     free.clear();
     for (const int voxel : ray) free.push_back(blocks.free_about(place_of(voxel, cube_.side)));
-    first = std::size_t(std::min_element(free.begin(), free.end()) - free.begin());
-    if (first < ray.size() && free[first] < bound()) look(ray[first]);
+    // What is found where the ray seems nearest bounds all else. It isn't taken at once: of pairs
+    // equally good, the first along the ray is.
+    double within = reach / cube_.cell;
+    const auto bound = [&] { return std::min(within, (best.cost - unseen) / cube_.cell); };
+    if (!ray.empty()) {
+      const std::size_t i = std::size_t(std::min_element(free.begin(), free.end()) - free.begin());
+      constexpr double kJustBeyond = 1e-9;
+      if (free[i] < bound())
+        within =
+            std::min(within, blocks.nearest(place_of(ray[i], cube_.side), line, bound()).distance +
+                                 kJustBeyond);
+    }
     for (std::size_t i = 0; i < ray.size() && bound() > 1e-9;) {
-      // Voxels along the ray are a step of one apart, so the next ones are no nearer than this.
-      const double least = free[i] >= bound() ? free[i] : look(ray[i]);
+      double least = free[i];  // the next ones are no nearer than this, less a step of one each
+      if (least < bound()) {
+        const Blocks::Nearest nearest =
+            blocks.nearest(place_of(ray[i], cube_.side), line, bound() + kLookAhead);
+        least = nearest.distance;
+        if (nearest.voxel >= 0 && least < bound()) offer(ray[i], nearest.voxel, least * cube_.cell);
+      }
       i += std::size_t(std::max(1, int(std::ceil(least - std::max(bound(), 0.0)))));
     }
   }

@@ -59,7 +59,9 @@ class HitVoxels {
   };
   // The pair of a voxel of `ray` and one of the frame's of least cost (paper: distance + λ (ncam −
   // nhits)), among pairs no farther apart than `reach` units; lambda in units per missing frame.
-  Pair best_pair(const std::vector<int>& ray, double lambda, double reach) const;
+  // through: the ray that passes through them; of voxels equally near, the one nearest to it.
+  Pair best_pair(const std::vector<int>& ray, const Ray& through, double lambda,
+                 double reach) const;
 
  private:
   class Blocks;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/at_once.h"
 #include "base/raster.h"
 #include "model/stages.h"
 
@@ -41,7 +42,7 @@ std::vector<Vec2> projected(const Points3& V, const FrameCamera& camera) {
 Mask triangle_mask(std::vector<Vec2> pixels, const Triangles& F, const Window& window) {
   Mask mask(window.width, window.height);
   for (Vec2& p : pixels) p = window.sample(p);
-  add_triangles(pixels, F, mask);
+  add_surface(pixels, F, mask);
   return mask;
 }
 
@@ -88,32 +89,37 @@ double contour_distance(const Polygons& contours, const std::vector<Vec2>& pixel
   return samples / window.per_pixel;
 }
 
-std::vector<FrameFit::PartFit> part_fits(const Document& document, int frame,
-                                         std::span<const PartSurface> parts) {
+// Of a part with contours in a frame.
+double part_distance(const Document& document, int frame, const PartSurface& part) {
   const Frame& f = document.frames[frame];
   // What projects far off the sketch is off by far, wherever it ends.
   const Vec2 size(f.width, f.height);
   const Box2 room(-size, 2 * size);
-  const std::vector<Transform> motions = skinning_transforms(document.skeleton, f.pose);
-  std::vector<FrameFit::PartFit> fits;
-  for (const PartSurface& part : parts) {
-    const Polygons contours = closed_contours(f, part.joint);
-    if (contours.empty()) continue;
-    const auto pixels =
-        projected(moved(part.mesh.V, motions[part.joint]), frame_camera(document, frame));
-    const double distance = contour_distance(contours, pixels, part.mesh.F, room, kPerPixel);
-    if (std::isfinite(distance)) fits.push_back({part.joint, distance});
-  }
-  return fits;
+  const Polygons contours = closed_contours(f, part.joint);
+  if (contours.empty()) return std::numeric_limits<double>::infinity();
+  const Transform motion = skinning_transforms(document.skeleton, f.pose)[part.joint];
+  const auto pixels = projected(moved(part.mesh.V, motion), frame_camera(document, frame));
+  return contour_distance(contours, pixels, part.mesh.F, room, kPerPixel);
 }
 
 }  // namespace
 
 std::vector<FrameFit> measure_fit(const Document& calibrated, const Model& model,
-                                  std::span<const PartSurface> parts) {
-  std::vector<FrameFit> fits;
-  for (int f = 0; f < int(calibrated.frames.size()); ++f)
-    fits.push_back({silhouette_overlap(calibrated, f, model), part_fits(calibrated, f, parts)});
+                                  std::span<const PartSurface> parts, int threads) {
+  // The whole of each frame, then its parts.
+  const int of_frame = 1 + int(parts.size());
+  std::vector<FrameFit> fits(calibrated.frames.size());
+  std::vector<double> distances(fits.size() * of_frame);
+  at_once(int(distances.size()), threads, [&](int i) {
+    const int frame = i / of_frame, part = i % of_frame - 1;
+    if (part < 0)
+      fits[frame].iou = silhouette_overlap(calibrated, frame, model);
+    else
+      distances[i] = part_distance(calibrated, frame, parts[part]);
+  });
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    if (const int part = int(i) % of_frame - 1; part >= 0 && std::isfinite(distances[i]))
+      fits[i / of_frame].parts.push_back({parts[part].joint, distances[i]});
   return fits;
 }
 

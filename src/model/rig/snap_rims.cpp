@@ -53,7 +53,7 @@ class Target {
       if (const Vec3 X = posed_.row(v).transpose(); camera_.in_front(X))
         pixels_[v] = camera_.project(X);
     model_ = Mask(drawn_.width, drawn_.height);
-    add_triangles(pixels_, mesh.F, model_);
+    add_surface(pixels_, mesh.F, model_);
   }
   double overlap() const { return intersection_over_union(model_, drawn_); }
 
@@ -201,7 +201,7 @@ void snap_rims(const Document& calibrated, std::span<const Part> parts, const We
     for (const Target& target : targets) target.add_pulls(moved, normals, weights, skeleton, pulls);
     if (pulls.empty()) break;
     const double pixel = pixel_size(calibrated);
-    const Adjacency adjacency = vertex_adjacency(moved);
+    const Adjacency adjacency = vertex_adjacency(moved);  // edges may have been flipped
     const Eigen::VectorXd step = kDamping * pixel * Equations(adjacency, pulls, 1 / pixel).solve();
     moved.V += step.asDiagonal() * normals;
     unfold(moved);

@@ -54,8 +54,7 @@ void solve_poisson(const std::vector<float>& distance, int nx, int ny, std::vect
       float weight = 0;
       for (const int to : neighbours) {
         const float d = distance[i + to];
-        weight +=
-            d < 0 ? 1 : (d - distance[i]) / std::max(-distance[i], 0.1f * (d - distance[i]));
+        weight += d < 0 ? 1 : (d - distance[i]) / std::max(-distance[i], 0.1f * (d - distance[i]));
       }
       weights[i] = weight;
       relaxed[i] = relax;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "base/at_once.h"
 #include "model/texture/drawn_colours.h"
 #include "model/texture/props.h"
 #include "model/texture/tones.h"
@@ -221,21 +222,28 @@ Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const I
     if (const Frame& frame = calibrated.frames[f];
         drawings[f].width == frame.width && drawings[f].height == frame.height)
       colours.learn(frame, drawings[f]);
-  std::vector<SurfaceView> mirrored;
-  for (int f = 0; f < int(drawings.size()) && f < int(calibrated.frames.size()); ++f) {
+  std::vector<int> frames;
+  for (int f = 0; f < int(drawings.size()) && f < int(calibrated.frames.size()); ++f)
+    if (drawings[f].width == calibrated.frames[f].width &&
+        drawings[f].height == calibrated.frames[f].height)
+      frames.push_back(f);
+  out.sketches.resize(frames.size());
+  out.views.resize(frames.size());
+  std::vector<SurfaceView> mirrored(frames.size());
+  at_once(int(frames.size()), run.threads, [&](int i) {
+    if (run.cancelled()) return;
+    const int f = frames[i];
     const Frame& frame = calibrated.frames[f];
-    if (drawings[f].width != frame.width || drawings[f].height != frame.height) continue;
-    if (run.cancelled()) return cancelled();
     const FrameCamera camera = frame_camera(calibrated, f);
     const double pixel = fine / camera.pixels_per_unit(frame.pose.root_position.z());
     Points3 V = posed_vertices(model.mesh.V, model.weights, model.skeleton, frame.pose);
     SurfaceView view;
-    view.sketch = int(out.sketches.size());
+    view.sketch = i;
     view.reach = kReach * pixel;
     view.holders = holders;
     project(V, camera, view);
     const bool perspective = camera.camera.type == Camera::Type::perspective;
-    Sketch& sketch = out.sketches.emplace_back();
+    Sketch& sketch = out.sketches[i];
     sketch.frame = f;
     sketch.pixel_art = !out.palette.empty();
     fill_colours(frame, drawings[f], F, *holders, colours,
@@ -245,7 +253,7 @@ Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const I
                      F, frame.width, frame.height),
                  held_things(calibrated, f), pixel, fine, sketch);
     judge(V, F, camera, sketch, finest, view);
-    out.views.push_back(view);
+    out.views[i] = view;
 
     view.mirrored = true;
     view.reach = kMirrorReach * size;
@@ -256,9 +264,10 @@ Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const I
     for (int t = 0; t < F.rows(); ++t)
       for (int k = 0; k < 3; ++k)
         if (!mirror.has[F(t, k)]) view.quality[t] = 0;
-    mirrored.push_back(std::move(view));
-    run.report(0.5 * (f + 1) / double(drawings.size()));
-  }
+    mirrored[i] = std::move(view);
+  });
+  if (run.cancelled()) return cancelled();
+  run.report(0.5);
   if (out.palette.empty()) take_lit_tones(model, out.views, out.sketches);
   out.views.insert(out.views.end(), mirrored.begin(), mirrored.end());
   return out;

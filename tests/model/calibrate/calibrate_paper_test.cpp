@@ -121,11 +121,12 @@ TEST(RayVoxels, BestPairPrefersVoxelsThatMoreFramesHit) {
                               [&](int a, int b) { return all.of(a) < all.of(b); }),
             line_z[8]);
   const HitVoxels hits(cube, {line_x(6.5, 8.5)}, all);
-  const auto ray = voxels_along(cube, {Vec3(-1, 4.5, 8.5), Vec3::UnitX()}, false);
-  const HitVoxels::Pair pair = hits.best_pair(ray, 1.5, 10);
+  const Ray line{Vec3(-1, 4.5, 8.5), Vec3::UnitX()};
+  const auto ray = voxels_along(cube, line, false);
+  const HitVoxels::Pair pair = hits.best_pair(ray, line, 1.5, 10);
   EXPECT_NEAR((cube.centre(pair.hit) - Vec3(10.5, 6.5, 8.5)).norm(), 0, 1e-9);
   EXPECT_NEAR(pair.cost, 2, 1e-9);
-  EXPECT_EQ(hits.best_pair(ray, 1.5, 1).on_ray, -1);
+  EXPECT_EQ(hits.best_pair(ray, line, 1.5, 1).on_ray, -1);
 }
 
 TEST(EulerSolver, FindsABentArm) {

@@ -1,0 +1,92 @@
+"""The same work by others, in the same run, where they are installed; who isn't is named."""
+import importlib.util
+import json
+import shutil
+import subprocess
+import time
+
+import speed
+
+BLENDER = '''
+import numpy; numpy.bool = bool
+import bpy, time
+bpy.ops.wm.read_factory_settings(use_empty=True)
+bpy.ops.import_scene.gltf(filepath={model!r})
+rig = next(o for o in bpy.data.objects if o.type == 'ARMATURE')
+skins = [o for o in bpy.data.objects if o.type == 'MESH' and o.parent == rig]
+best = 1e9
+for _ in range(3):
+    bpy.ops.object.select_all(action='DESELECT')
+    for skin in skins:
+        skin.vertex_groups.clear(); skin.select_set(True)
+    rig.select_set(True); bpy.context.view_layer.objects.active = rig
+    began = time.time(); bpy.ops.object.parent_set(type='ARMATURE_AUTO'); best = min(best, time.time() - began)
+print('SECONDS', best)
+'''
+
+
+def report(bench, *flags):
+    path = bench.place / 'peer.json'
+    subprocess.run([bench.program, 'reconstruct', bench.example('hero'), '-o', bench.place / 'peer.glb',
+                    '--quiet', '--report', path, '--threads', '1', *flags], check=True,
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return {stage['stage']: stage for stage in json.loads(path.read_text())['stages']}
+
+
+def line(work, ours, name, theirs, wanted):
+    times = theirs / max(ours, 1e-9)
+    missed = '' if times >= wanted else ': MISSED'
+    print(f'{work:40s} {ours:7.3f} s, {name} {theirs:.3f} s: {times:.1f} times ours '
+          f'(goal {wanted:g}{missed})')
+
+
+def blender(bench):
+    ours = report(bench, '--no-texture')['weights']['cpu_seconds']
+    done = subprocess.run(['blender', '-b', '--python-exit-code', '1', '--python-expr',
+                           BLENDER.format(model=str(bench.place / 'peer.glb'))],
+                          capture_output=True, text=True)
+    seconds = [float(l.split()[1]) for l in done.stdout.splitlines() if l.startswith('SECONDS')]
+    if not seconds:
+        return print('weights: Blender could not: ' + (done.stderr or done.stdout)[-200:].strip())
+    line("weights of hero's 15,000 triangles", ours, 'Blender', seconds[0], 10)
+
+
+def visual_hull(bench):
+    """The hulls of hero's parts by voxels in numpy, as a first try would have them: every voxel asked
+    in every view, then skimage's marching cubes. Ours: carving and surface, --visual-hull."""
+    import numpy
+    from skimage import draw, measure
+    document = json.loads(bench.example('hero').read_text())
+    stages = report(bench, '--no-texture', '--visual-hull', '--no-calibrate')
+    n = 100
+    began = time.process_time()
+    joints = {c['joint'] for f in document['frames'] for c in f['contours']}
+    axis = numpy.arange(n)
+    grid = numpy.stack(numpy.meshgrid(axis, axis, axis, indexing='ij'), -1).reshape(-1, 3)
+    for joint in joints:
+        inside = numpy.ones(len(grid), bool)
+        for number, frame in enumerate(document['frames']):
+            for contour in frame['contours']:
+                if contour['joint'] != joint or not contour.get('closed', True):
+                    continue
+                points = numpy.array(contour['points'])
+                low, size = points.min(0), numpy.ptp(points, axis=0).max()
+                mask = draw.polygon2mask((n, n), (points - low) / size * (n - 1))
+                # Which axes a view sees costs the same whatever its pose.
+                inside &= mask[grid[:, number % 3], grid[:, (number + 1) % 3]]
+        volume = numpy.pad(inside.reshape(n, n, n).astype(numpy.float32), 1)
+        if volume.any():
+            measure.marching_cubes(volume, 0.5)
+    line("visual hulls of hero's parts", stages['surfaces']['cpu_seconds'], 'scikit-image',
+         time.process_time() - began, 1)
+
+
+def compare(bench):
+    if shutil.which('blender'):
+        blender(bench)
+    else:
+        print('weights: left out, there is no Blender (blender)')
+    if importlib.util.find_spec('skimage'):
+        visual_hull(bench)
+    else:
+        print('visual hulls: left out, there is no scikit-image (python3-skimage)')
