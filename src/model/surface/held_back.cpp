@@ -9,8 +9,8 @@ namespace {
 // Radii: where nothing bulges out by more the hull leaves no crease to be seen; where something
 // does, all is held that bulges out by so much.
 constexpr double kCrease = 0.03, kHeld = 0.01;
-constexpr double kApart = 0.1;      // radii, between two of the points, or more
-constexpr std::size_t kMost = 100;  // points: the equations are dense
+constexpr double kApart = 0.1;          // radii, between two of the points, or more
+constexpr std::size_t kMostHeld = 100;  // points: the equations are dense
 
 struct Bulging {
   float depth;  // inside the surface; negative
@@ -46,10 +46,10 @@ std::vector<Vec3> held_back(const Grid3<float>& surface, const Grid3<float>& hul
   if (bulging.empty() || bulging[0].depth > -kCrease * radius) return {};
   // All that bulges out has its share of the points.
   const double area = double(bulging.size()) * hull.cell * hull.cell;
-  const double apart = std::max(kApart * radius, std::sqrt(area / double(kMost)));
+  const double apart = std::max(kApart * radius, std::sqrt(area / double(kMostHeld)));
   std::vector<Vec3> points;
   for (const Bulging& one : bulging) {
-    if (points.size() == kMost) break;
+    if (points.size() == kMostHeld) break;
     const Vec3 position = on_surface(hull, one.at);
     const auto near = [&](const Vec3& other) { return (other - position).norm() < apart; };
     if (std::any_of(points.begin(), points.end(), near)) continue;

@@ -39,7 +39,7 @@ Grid3<float> laid_bare(const Grid3<float>& hull) {
 }
 
 // f's distance near and in the hull.
-Grid3<float> alone(const HermiteSurface& f, const Grid3<float>& hull) {
+Grid3<float> near_hull(const HermiteSurface& f, const Grid3<float>& hull) {
   Grid3<float> field = laid_bare(hull);
   raise([&](const Vec3& start, const Vec3& step, int n, float* v) { f.values(start, step, n, v); },
         kAbove * hull.cell, field);
@@ -260,7 +260,7 @@ Result<RaysField> rays_field(const Part& given, const RaysFieldOptions& options,
   for (int pass = 0; pass < options.refits; ++pass) {
     if (run.cancelled()) return cancelled();
     const std::vector<Vec3> further =
-        held_back(alone(f, out.distance), out.distance, carving->radius);
+        held_back(near_hull(f, out.distance), out.distance, carving->radius);
     if (further.empty()) break;
     held.insert(held.end(), further.begin(), further.end());
     f = HermiteSurface(points, fine, held);
