@@ -47,7 +47,7 @@ def blender(bench):
                           capture_output=True, text=True)
     seconds = [float(l.split()[1]) for l in done.stdout.splitlines() if l.startswith('SECONDS')]
     if not seconds:
-        return print('weights: Blender could not: ' + (done.stderr or done.stdout)[-200:].strip())
+        return print('weights: Blender could not: ' + ' '.join((done.stderr or done.stdout).split())[-200:])
     line("weights of hero's 15,000 triangles", ours, 'Blender', seconds[0], 10)
 
 
