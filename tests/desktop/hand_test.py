@@ -82,7 +82,7 @@ def a_part_is_split_by_its_menu():
 
 
 def clips_and_sizes_are_chosen_to_export():
-    window = Window("1280x720", examples / "circles/circles.artisketch")
+    window = Window("1440x900", examples / "circles/circles.artisketch")  # both clips in sight
     window.click("Reconstruct")
     window.wait(lambda: window.state()["hasModel"], "the model")
     window.click("Result mode")
