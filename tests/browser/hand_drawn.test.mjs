@@ -105,11 +105,10 @@ test('what a hand holds becomes a part of its own', async (t) => {
   const at = await editor.page.evaluate(([x, y]) => artisketch.project(0, x, y), [x, y]);
   await editor.page.mouse.click(at.x, at.y, {button: 'right'});
   await editor.click('New held thing');
-  const {joint, parts} = await (async () => {
-    const {skeleton, parts} = await saved(editor);
-    return {joint: skeleton.joints.at(-1), parts};
-  })();
-  assert.equal(joint.parent, 'hand.R');
+  await editor.until((state) => state.undo === 'Thing held by Hand R');
+  const {skeleton, parts} = await saved(editor);
+  const joint = skeleton.joints.find(({name}) => name === 'thing');
+  assert.equal(joint?.parent, 'hand.R', JSON.stringify(skeleton.joints.map(({name}) => name)));
   assert.ok(JSON.stringify(parts).includes('"held"'), JSON.stringify(parts));
   await editor.page.screenshot({path: join(shots, 'held.png')});
 });
