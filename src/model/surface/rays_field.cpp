@@ -46,34 +46,36 @@ Grid3<float> near_hull(const HermiteSurface& f, const Grid3<float>& hull) {
   return field;
 }
 
-// The part of the hull that lies inside f, bulging `fatness` times as far between the rims, as
-// f's distance; the hull's own beyond kAbove. What would lose its middle when thinned that much is
-// thinned less.
+// hull = max(hull, surface)
+void cut_to(const Grid3<float>& surface, Grid3<float>& hull) {
+  for (std::size_t i = 0; i < hull.values.size(); ++i)
+    hull.values[i] = std::max(hull.values[i], surface.values[i]);
+}
+
+// The part of the hull that lies inside f, `plain`, bulging `fatness` times as far between the
+// rims. What would lose its middle when thinned that much is thinned less.
 Grid3<float> plump(const HermiteSurface& f, const std::vector<RayRim>& rims, double radius,
-                   double fatness, const Grid3<float>& hull) {
-  const double above = kAbove * hull.cell;
-  const Bulge bulge(curves_of(rims), radius);
+                   double fatness, const Grid3<float>& hull, const Grid3<float>& plain) {
   const Grid3<float> bare = laid_bare(hull);
+  const Bulge bulge(curves_of(rims), radius);
   const auto raised = [&](double times) {
     Grid3<float> field = bare;
     const auto rows = [&](const Vec3& start, const Vec3& step, int n, float* values) {
       f.values(start, step, n, values);
-      for (int i = 0; i < n && times != 1; ++i)
-        values[i] -= float((times - 1) * bulge.height(start + i * step));
+      for (int i = 0; i < n; ++i) values[i] -= float((times - 1) * bulge.height(start + i * step));
     };
-    raise(rows, above, field);
+    raise(rows, kAbove * hull.cell, field);
     return field;
   };
   Grid3<float> field = raised(fatness);
   if (fatness < 1) {
     const auto trimmed = [&](Grid3<float> g) {
-      for (std::size_t i = 0; i < g.values.size(); ++i)
-        g.values[i] = std::max(g.values[i], hull.values[i]);
+      cut_to(hull, g);
       return isosurface(g);
     };
-    const Result<Mesh> plain = trimmed(raised(1));
-    for (int tries = 0; plain && tries < 4; ++tries) {
-      if (alike(*plain, trimmed(field), hull.cell)) break;
+    const Result<Mesh> whole = trimmed(plain);
+    for (int tries = 0; whole && tries < 4; ++tries) {
+      if (alike(*whole, trimmed(field), hull.cell)) break;
       fatness = (1 + fatness) / 2;
       field = raised(fatness);
     }
@@ -180,12 +182,6 @@ bool leaves_nothing(const Grid3<float>& surface, const Grid3<float>& hull, doubl
   return in_both < std::max(kLeast * expected, kAtAll) * in_hull;
 }
 
-// hull = max(hull, surface)
-void cut_to(const Grid3<float>& surface, Grid3<float>& hull) {
-  for (std::size_t i = 0; i < hull.values.size(); ++i)
-    hull.values[i] = std::max(hull.values[i], surface.values[i]);
-}
-
 // Of a blade or a plate the smooth surface may miss the middle, where no outline holds it: it gives
 // way to the hull until it has no more holes than that.
 void leave_no_holes(const Grid3<float>& hull, double radius, Grid3<float>& surface) {
@@ -253,19 +249,21 @@ Result<RaysField> rays_field(const Part& given, const RaysFieldOptions& options,
     for (RayRim& rim : out.rims) detect_depths(*carving, box, f, rim);
   }
   if (run.cancelled()) return cancelled();
-  std::vector<SurfacePoint> points = surface_points(*carving, out.rims);
+  const std::vector<SurfacePoint> points = surface_points(*carving, out.rims);
   if (int(points.size()) < kFewestSurfacePoints) return hull_alone(std::move(out));
   HermiteSurface f(points, fine);
+  Grid3<float> surface = near_hull(f, out.distance);
   std::vector<Vec3> held;  // f need not pass there, but must not pass beyond
   for (int pass = 0; pass < options.refits; ++pass) {
     if (run.cancelled()) return cancelled();
-    const std::vector<Vec3> further =
-        held_back(near_hull(f, out.distance), out.distance, carving->radius);
+    const std::vector<Vec3> further = held_back(surface, out.distance, carving->radius);
     if (further.empty()) break;
     held.insert(held.end(), further.begin(), further.end());
     f = HermiteSurface(points, fine, held);
+    surface = near_hull(f, out.distance);
   }
-  Grid3<float> surface = plump(f, out.rims, carving->radius, part.fatness, out.distance);
+  if (part.fatness != 1)
+    surface = plump(f, out.rims, carving->radius, part.fatness, out.distance, surface);
   // Of a round body's hull by two views the body is π/4 times the sine between them.
   if (part.fatness >= 1 && leaves_nothing(surface, out.distance, std::sqrt(carving->spread)))
     surface = out.distance;
