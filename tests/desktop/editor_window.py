@@ -17,9 +17,15 @@ class Window:
 
     open = []  # windows that a failed test would leave behind
 
-    def __init__(self, size, document=None, home=None):
+    def __init__(self, size, document=None, home=None, hints=False):
+        """hints: of the modes, which come at the first visit; their moving pictures are drawn in software here,
+        and what each key and click waits for with them."""
         Window.open.append(self)
         self.home = home or tempfile.mkdtemp()
+        if not hints:
+            kept = pathlib.Path(self.home, "artisketch")
+            kept.mkdir(exist_ok=True)
+            (kept / "hints").write_text("1234")
         read, write = os.pipe()
         self.screen = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{size}x24"],

@@ -51,7 +51,7 @@ def figures_are_picked_on_a_sheet():
 
 def each_mode_says_what_one_does():
     for size in ("1440x900", "390x844"):
-        window = Window(size, examples / "hero/hero.artisketch")
+        window = Window(size, examples / "hero/hero.artisketch", hints=True)
         for mode in ("Outline", "Skeleton", "Pose", "Result"):
             window.click(f"{mode} mode")
             has(window, "Got it")
@@ -68,8 +68,6 @@ def each_mode_says_what_one_does():
 
 def a_part_is_split_by_its_menu():
     window = Window("1440x900", examples / "hero/hero.artisketch")
-    has(window, "Got it")
-    window.click("Got it")
     joints = len(window.state()["joints"])
     window.click("Thigh R in 1")
     window.key("shift+k")
@@ -86,8 +84,6 @@ def clips_and_sizes_are_chosen_to_export():
     window.click("Reconstruct")
     window.wait(lambda: window.state()["hasModel"], "the model")
     window.click("Result mode")
-    has(window, "Got it")
-    window.click("Got it")
     window.click("New clip")
     window.wait(lambda: window.state()["undo"] == "New clip", why="a clip")
     window.click("Export")
