@@ -41,6 +41,7 @@ foreach(name IN ITEMS hero fox robot heart circles)
   install(DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/examples/${name}" OPTIONAL
     DESTINATION "${CMAKE_INSTALL_DATADIR}/artisketch/examples")
 endforeach()
+install(DIRECTORY assets/gallery DESTINATION "${CMAKE_INSTALL_DATADIR}/artisketch")
 
 set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_PACKAGE_NAME artisketch)

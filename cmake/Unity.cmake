@@ -28,6 +28,12 @@ set(alone
   tests/model/rig/retarget_test.cpp
   tests/model/surface/surface_rays_test.cpp
   tests/figures/fox.cpp
+  tests/figures/prince.cpp
+  tests/figures/horse.cpp
+  tests/figures/ballerina.cpp
+  tests/figures/alien.cpp
+  tests/figures/climber.cpp
+  tests/figures/parrot.cpp
   tests/figures/polygonise.cpp
   tests/quality/inconsistent.cpp
 )

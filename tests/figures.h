@@ -42,8 +42,14 @@ Figure capsule_arm();
 Figure human(std::uint64_t seed = 0);
 // 16 parts: body, chest, head, tail and three per leg; facing +z.
 Figure quadruped(std::uint64_t seed = 0);
-Figure hero();  // of the first example: joints as human's, every one mirrored
-Figure fox();   // joints as quadruped's
+Figure hero();                   // of the first example: joints as human's, every one mirrored
+Figure fox();                    // joints as quadruped's
+Figure prince();                 // joints as human's, and a cape
+Figure ballerina();              // joints as human's, and a tutu
+Figure climber();                // joints as human's
+Figure alien();                  // joints as human's
+Figure parrot();                 // joints as the bird's of document/templates.h, without a beak
+Figure horse(bool three_parts);  // joints as quadruped's, a neck, and a torso of one part or three
 Figure robot(std::uint64_t seed = 0);  // boxes and tubes, its left unlike its right
 
 // ---------------------------------------------------------------- poses and views

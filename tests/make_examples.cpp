@@ -1,4 +1,5 @@
-// artisketch_examples FOLDER [NAME …]: writes the example documents and their drawings.
+// artisketch_examples FOLDER [NAME …]: writes the example documents and their drawings, as assets
+// has them.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -18,7 +19,7 @@ bool written(const Result<Done>& result) {
 }
 
 bool write_example(const figures::Example& example, const std::string& folder) {
-  const std::string place = folder + "/" + example.name;
+  const std::string place = folder + "/" + example.folder + "/" + example.name;
   std::filesystem::create_directories(place);
   if (!written(write_document(place + "/" + example.name + ".artisketch", example.sketches.given)))
     return false;

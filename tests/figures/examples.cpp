@@ -14,14 +14,6 @@ void round_poses(Document& document) {
   }
 }
 
-Example finished(Figure figure, Sketches sketches, const InkStyle& ink = {}) {
-  for (Document* document : {&sketches.given, &sketches.truth}) {
-    for (Frame& frame : document->frames) frame.image = frame.name + ".png";
-    round_poses(*document);
-  }
-  return {figure.name, std::move(figure), std::move(sketches), ink};
-}
-
 // Two circles seen from two sides: a ball is the smoothest thing that fits.
 Example circles() {
   Figure figure = ball_figure(0.5);
@@ -42,7 +34,7 @@ Example circles() {
         points.back() = (1e4 * points.back()).array().round() / 1e4;
       }
     }
-  return finished(std::move(figure), std::move(s));
+  return finished(std::move(figure), std::move(s), {}, "examples");
 }
 
 // The side view stands a fifth of the heart's height lower than its pose says.
@@ -58,7 +50,7 @@ Example heart_too_low() {
     document->calibration.max_rotation = radians(10);
     document->calibration.max_translation = 0.4;
   }
-  return finished(std::move(figure), std::move(s));
+  return finished(std::move(figure), std::move(s), {}, "examples");
 }
 
 Example hero_abroad() {
@@ -110,7 +102,7 @@ Example hero_abroad() {
   };
   Sketches s =
       draw(figure, views, camera, 640, 800, {.pose_error_degrees = 8, .root_error = 0.02}, 1);
-  return finished(std::move(figure), std::move(s));
+  return finished(std::move(figure), std::move(s), {}, "examples");
 }
 
 Example fox_about() {
@@ -140,7 +132,7 @@ Example fox_about() {
   };
   Sketches s =
       draw(figure, views, camera, 720, 640, {.pose_error_degrees = 8, .root_error = 0.02}, 2);
-  return finished(std::move(figure), std::move(s));
+  return finished(std::move(figure), std::move(s), {}, "examples");
 }
 
 Example robot_at_work() {
@@ -169,17 +161,25 @@ Example robot_at_work() {
   };
   Sketches s =
       draw(figure, views, camera, 640, 800, {.pose_error_degrees = 6, .root_error = 0.02}, 3);
-  return finished(std::move(figure), std::move(s));
+  return finished(std::move(figure), std::move(s), {}, "examples");
 }
 
 using Maker = Example (*)();
-constexpr std::pair<std::string_view, Maker> kMakers[] = {{"circles", circles},
-                                                          {"heart", heart_too_low},
-                                                          {"hero", hero_abroad},
-                                                          {"fox", fox_about},
-                                                          {"robot", robot_at_work}};
+constexpr std::pair<std::string_view, Maker> kMakers[] = {
+    {"circles", circles},      {"heart", heart_too_low},       {"hero", hero_abroad},
+    {"fox", fox_about},        {"robot", robot_at_work},       {"prince", prince_walking},
+    {"horse", horse_trotting}, {"horse-three", horse_turning}, {"ballerina", ballerina_dancing},
+    {"alien", alien_landed},   {"climber", climber_climbing},  {"parrot", parrot_flying}};
 
 }  // namespace
+
+Example finished(Figure figure, Sketches sketches, const InkStyle& ink, const std::string& folder) {
+  for (Document* document : {&sketches.given, &sketches.truth}) {
+    for (Frame& frame : document->frames) frame.image = frame.name + ".png";
+    round_poses(*document);
+  }
+  return {folder, figure.name, std::move(figure), std::move(sketches), ink};
+}
 
 std::vector<std::string> example_names() {
   std::vector<std::string> names;

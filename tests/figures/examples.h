@@ -1,4 +1,4 @@
-// The documents under assets/examples, made from figures whose truth is known.
+// The documents under assets/examples and assets/gallery, made from figures whose truth is known.
 #pragma once
 
 #include "figures.h"
@@ -7,6 +7,7 @@
 namespace artisketch::figures {
 
 struct Example {
+  std::string folder;  // "examples", or "gallery": the paper's figures, and what else can be drawn
   std::string name;
   Figure figure;
   Sketches sketches;  // `given` is what the file holds
@@ -15,5 +16,17 @@ struct Example {
 
 std::vector<std::string> example_names();
 Example example(std::string_view name);  // one of example_names()
+
+// What every example ends with: the drawings' names, poses that read well in a file.
+Example finished(Figure figure, Sketches sketches, const InkStyle& ink = {},
+                 const std::string& folder = "gallery");
+
+Example prince_walking();
+Example horse_trotting();  // its torso one part
+Example horse_turning();   // three
+Example ballerina_dancing();
+Example alien_landed();
+Example climber_climbing();
+Example parrot_flying();
 
 }  // namespace artisketch::figures

@@ -1,5 +1,7 @@
 #include "figures/examples.h"
 
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 #include "files/document_file.h"
@@ -9,7 +11,10 @@ namespace artisketch::figures {
 namespace {
 
 std::string path_of(const std::string& name) {
-  return ARTISKETCH_SOURCE_DIR "/assets/examples/" + name + "/" + name + ".artisketch";
+  const std::string assets = ARTISKETCH_SOURCE_DIR "/assets/",
+                    file = "/" + name + "/" + name + ".artisketch",
+                    first = assets + "examples" + file;
+  return std::filesystem::exists(first) ? first : assets + "gallery" + file;
 }
 
 // Machines may round a point's last digit differently, and so keep another one of the outline.

@@ -1,13 +1,14 @@
 // The hero of the first example: a child off on an adventure.
 #include "figures/builder.h"
+#include "figures/face.h"
 
 namespace artisketch::figures {
 namespace {
 
 constexpr unsigned kSkin = 0xf7cba4, kCheek = 0xf0a58c, kHair = 0x8a4a2c, kTunic = 0x3f8f8a,
                    kScarf = 0xe2503f, kSleeve = 0xf6ead2, kTrousers = 0x5b4a6f, kBoot = 0x8a5a3a,
-                   kBelt = 0x6e4326, kGold = 0xf2c14e, kGlove = 0xb9793f, kWhite = 0xfffdf6,
-                   kDark = 0x33262b, kMouth = 0x9c3b38, kIris = 0x4a6b3a;
+                   kBelt = 0x6e4326, kGold = 0xf2c14e, kGlove = 0xb9793f, kDark = 0x33262b,
+                   kMouth = 0x9c3b38, kIris = 0x4a6b3a;
 
 Solid hips() {
   Solid solid;
@@ -64,11 +65,7 @@ Solid head() {
 
     const Vec3 eye = at(0.105, 1.245, 0.245);
     solid.paint.push_back(ellipsoid(at(0.165, 1.16, 0.21), {0.04, 0.026, 0.08}).in(kCheek));
-    solid.paint.push_back(ellipsoid(eye + Vec3(0, 0.006, 0), {0.052, 0.071, 0.08}).in(kDark));
-    solid.paint.push_back(ellipsoid(eye + Vec3(0, -0.003, 0), {0.045, 0.062, 0.09}).in(kWhite));
-    solid.paint.push_back(ellipsoid(eye + at(-0.008, -0.004, 0), {0.034, 0.052, 0.1}).in(kIris));
-    solid.paint.push_back(ellipsoid(eye + at(-0.008, -0.002, 0), {0.022, 0.036, 0.11}).in(kDark));
-    solid.paint.push_back(ellipsoid(eye + Vec3(0.008, 0.024, 0), {0.013, 0.015, 0.12}).in(kWhite));
+    for (const Blob& blob : painted_eye(eye, side, 1, kIris, kDark)) solid.paint.push_back(blob);
     solid.paint.push_back(
         limb(at(0.068, 1.345, 0.25), 0.011, at(0.115, 1.362, 0.23), 0.013).in(kHair));
     solid.paint.push_back(

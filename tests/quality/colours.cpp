@@ -70,6 +70,12 @@ double wrong_share(const Image& truth, const Image& model, unsigned shadow) {
 
 }  // namespace
 
+double wrong_colours(const Figure& figure, const Model& model, const Pose& pose,
+                     const FrameCamera& camera, int size) {
+  return wrong_share(true_colours(figure, pose, camera, size),
+                     model_colours(model, pose, camera, size), InkStyle().shadow);
+}
+
 ColourCell colour_cell(const Figure& figure, int frames, std::uint64_t seed,
                        const ColourOptions& options) {
   const int size = options.size;
@@ -91,8 +97,7 @@ ColourCell colour_cell(const Figure& figure, int frames, std::uint64_t seed,
   if (!made || !made->model.texture) return cell;
   cell = {};
   const auto add = [&](const Pose& pose, const FrameCamera& seen) {
-    return wrong_share(true_colours(figure, pose, seen, size),
-                       model_colours(made->model, pose, seen, size), style.shadow);
+    return wrong_colours(figure, made->model, pose, seen, size);
   };
   for (int f = 0; f < frames; ++f)
     cell.drawn_wrong +=

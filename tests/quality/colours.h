@@ -25,6 +25,10 @@ struct ColourCell {
 };
 inline constexpr double kWrongColour = 0.2;
 
+// That share in one pose before one camera, in a square picture.
+double wrong_colours(const figures::Figure& figure, const Model& model, const Pose& pose,
+                     const FrameCamera& camera, int size);
+
 ColourCell colour_cell(const figures::Figure& figure, int frames, std::uint64_t seed,
                        const ColourOptions& options);
 

@@ -10,6 +10,7 @@
 #include "figures/measure.h"
 #include "quality/baselines.h"
 #include "quality/colours.h"
+#include "quality/gallery.h"
 #include "quality/inconsistent.h"
 
 using namespace artisketch;
@@ -29,11 +30,13 @@ constexpr const char* kUsage =
     "                          [--wobble PIXELS] [--grid N]\n"
     "       artisketch_quality --colours [--frames N] [--error DEGREES] [--no-calibrate]\n"
     "                          [--grid N]\n"
+    "       artisketch_quality --gallery [NAME] [--grid N] [--no-calibrate]\n"
     "Every combination of the settings not named; --brief: one case per figure;\n"
     "--poses: calibration alone; --inconsistent: drawings that disagree as people's do,\n"
     "calibrated, with the poses given, and the first drawing alone; --depth: how deep bodies\n"
     "come out by how far apart the drawings see them; --colours: pixels that are wrongly\n"
-    "coloured in poses and from sides that nobody drew.\n";
+    "coloured in poses and from sides that nobody drew; --gallery: the examples as they are given, "
+    "one or all.\n";
 
 struct Options {
   bool brief = false;
@@ -41,7 +44,9 @@ struct Options {
   bool inconsistent = false;
   bool depth = false;
   bool colours = false;
-  std::vector<double> baselines;  // degrees that the drawings span; empty: several
+  bool gallery = false;
+  std::vector<std::string> names;  // of examples; empty: all
+  std::vector<double> baselines;   // degrees that the drawings span; empty: several
   int figures = 6;
   std::vector<int> frames = {2, 3, 4};
   std::vector<double> errors = {0, 8, 15};       // degrees
@@ -219,6 +224,10 @@ bool read_options(int count, char** words, Options& options) {
       options.poses = true;
     } else if (word == "--inconsistent") {
       options.inconsistent = true;
+    } else if (word == "--gallery") {
+      options.gallery = true;
+    } else if (options.gallery && word[0] != '-') {
+      options.names.push_back(word);
     } else if (word == "--baseline") {
       options.baselines = {std::atof(value().c_str())};
     } else if (word == "--figures") {
@@ -277,6 +286,10 @@ int main(int count, char** words) {
     if (options.wobbles.size() == 1) table.wobble = options.wobbles[0];
     if (!options.baselines.empty()) table.baselines = options.baselines;
     quality::print_baselines(table);
+    return 0;
+  }
+  if (options.gallery) {
+    quality::print_gallery(options.pipeline, options.names);
     return 0;
   }
   if (options.colours) {
