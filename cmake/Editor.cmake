@@ -71,6 +71,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/ui/theme.cpp
   src/editor/ui/touch.cpp
   src/editor/ui/ui.cpp
+  src/editor/ui/words.cpp
   src/editor/gl/damage.cpp
   src/editor/pictures/drawings.cpp
   src/editor/pictures/view_projection.cpp
@@ -85,6 +86,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/session/files.cpp
   src/editor/session/hints.cpp
   src/editor/session/jobs.cpp
+  src/editor/session/language.cpp
   src/editor/session/notes.cpp
   src/editor/session/live.cpp
   src/editor/session/motions_in.cpp
@@ -137,4 +139,10 @@ if(NOT EMSCRIPTEN)
   target_link_libraries(artisketch_window PUBLIC GLESv2)
   add_executable(artisketch-editor EXCLUDE_FROM_ALL native_main/editor_main.cpp native_main/desktop.cpp native_main/kept_work.cpp native_main/seen_files.cpp native_main/script.cpp)
   target_link_libraries(artisketch-editor PRIVATE artisketch_window artisketch::json artisketch_warnings)
+  # Beside the program, as where it is installed.
+  file(GLOB languages CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/assets/languages/*.txt")
+  set_property(TARGET artisketch-editor APPEND PROPERTY LINK_DEPENDS ${languages})
+  add_custom_command(TARGET artisketch-editor POST_BUILD VERBATIM
+    COMMAND "${CMAKE_COMMAND}" -E copy_directory "${PROJECT_SOURCE_DIR}/assets/languages"
+            "$<TARGET_FILE_DIR:artisketch-editor>/languages")
 endif()

@@ -36,6 +36,7 @@ if(TARGET artisketch-editor)
       DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/applications\")
   endif()")
 endif()
+install(DIRECTORY assets/languages DESTINATION "${CMAKE_INSTALL_DATADIR}/artisketch")
 foreach(name IN ITEMS hero fox robot heart circles)
   install(DIRECTORY "assets/examples/${name}" DESTINATION "${CMAKE_INSTALL_DATADIR}/artisketch/examples")
   install(DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/examples/${name}" OPTIONAL

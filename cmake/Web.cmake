@@ -102,7 +102,7 @@ foreach(name IN LISTS examples)
   list(APPEND made "${packed}.artisketch" "${packed}.glb" "${packed}.png")
 endforeach()
 
-file(GLOB page CONFIGURE_DEPENDS web/*.js web/*.html web/*.css web/*.mjs)
+file(GLOB page CONFIGURE_DEPENDS web/*.js web/*.html web/*.css web/*.mjs assets/languages/*.txt)
 add_custom_command(OUTPUT "${CMAKE_BINARY_DIR}/artisketch.html" VERBATIM
   COMMAND "${ARTISKETCH_NODE}" "${PROJECT_SOURCE_DIR}/web/assemble.mjs" "${CMAKE_BINARY_DIR}" ${examples}
   DEPENDS editor core ${made} ${page}

@@ -67,8 +67,11 @@ constexpr const char *kAutosave = "autosave", *kLeft = "left";  // the editor's 
 
 }  // namespace
 
-Desktop::Desktop(fs::path examples)
-    : examples_(std::move(examples)), kept_(kept_folder()), work_(kept_) {}
+Desktop::Desktop(fs::path assets)
+    : examples_(assets / "examples"),
+      languages_(assets / "languages"),
+      kept_(kept_folder()),
+      work_(kept_) {}
 
 Desktop::~Desktop() {
   if (asking_.joinable()) asking_.join();
@@ -235,6 +238,23 @@ void Desktop::load_example(const std::string& name, std::function<void(Result<Ex
 void Desktop::load_example_picture(const std::string& name, std::function<void(std::string)> then) {
   const Result<std::string> png = read_file((examples_ / name / (name + ".png")).string());
   then(png ? *png : std::string());
+}
+
+// What gettext goes by where it is set, then what else there is.
+std::string Desktop::language() {
+  for (const char* name : {"LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"})
+    if (const std::string tag = environment(name); !tag.empty()) return tag;
+  std::string tag;
+  if (SDL_Locale* preferred = SDL_GetPreferredLocales()) {
+    if (preferred->language) tag = preferred->language;
+    SDL_free(preferred);
+  }
+  return tag;
+}
+
+void Desktop::load_words(const std::string& code, std::function<void(std::string)> then) {
+  const Result<std::string> text = read_file((languages_ / (code + ".txt")).string());
+  then(text ? *text : std::string());
 }
 
 void Desktop::set_title(const std::string& title, bool unsaved) {

@@ -17,8 +17,8 @@ namespace artisketch {
 
 class Desktop : public Platform {
  public:
-  // examples: folder of NAME/NAME.artisketch, NAME/NAME.glb and NAME/NAME.png.
-  explicit Desktop(std::filesystem::path examples);
+  // assets: folder of examples/NAME/NAME.artisketch, NAME.glb and NAME.png, and languages/CODE.txt.
+  explicit Desktop(std::filesystem::path assets);
   ~Desktop() override;
 
   void attach(SDL_Window* window) { window_ = window; }
@@ -37,6 +37,8 @@ class Desktop : public Platform {
   void load_example(const std::string& name, std::function<void(Result<Example>)> then) override;
   void load_example_picture(const std::string& name,
                             std::function<void(std::string)> then) override;
+  std::string language() override;
+  void load_words(const std::string& code, std::function<void(std::string)> then) override;
   void set_title(const std::string& title, bool unsaved) override;
   bool prefers_dark() override { return true; }
   int default_grid() override { return 100; }
@@ -48,7 +50,7 @@ class Desktop : public Platform {
   void ask(std::string command, std::function<void(std::vector<std::string>)> then);
   void remember(const std::string& place);
 
-  std::filesystem::path examples_, kept_;
+  std::filesystem::path examples_, languages_, kept_;
   KeptWork work_;
   SeenFiles seen_;
   SDL_Window* window_ = nullptr;

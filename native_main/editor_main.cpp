@@ -24,10 +24,10 @@ int run(const char* program, const char* document, bool scripted) {
   std::error_code ignored;
   const std::filesystem::path self = std::filesystem::canonical("/proc/self/exe", ignored);
   const std::filesystem::path folder = (self.empty() ? program : self).parent_path();
-  std::filesystem::path examples = folder / "examples";  // where it was built
-  if (!std::filesystem::is_directory(examples, ignored))
-    examples = folder.parent_path() / "share/artisketch/examples";
-  Desktop desktop(examples);
+  std::filesystem::path assets = folder;  // where it was built
+  if (!std::filesystem::is_directory(assets / "languages", ignored))
+    assets = folder.parent_path() / "share/artisketch";
+  Desktop desktop(assets);
   desktop.attach(window->handle());
   ThreadJobs jobs([&desktop] { desktop.request_frame(); });
   Editor editor(desktop, jobs, window->graphics());

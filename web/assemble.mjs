@@ -1,10 +1,11 @@
 // Puts the page together from what was compiled, twice: OUT/site/, static files for any web host, and
 // OUT/artisketch.html, all of it in one file that works from disk.
 //   node assemble.mjs OUT EXAMPLE…
+// Its languages' words are fetched when they are asked for.
 // OUT holds editor.js, editor.wasm, core.js, core.wasm, and examples/NAME.artisketch, .glb and .png. The
 // first example comes with its model; the others are made where they are opened.
 import { createHash } from 'node:crypto';
-import { mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
@@ -27,6 +28,8 @@ for (const name of examples) {
     files.set(`examples/${name}.${kind}`, built(`examples/${name}.${kind}`));
   }
 }
+const languages = join(here, '../assets/languages');
+for (const name of readdirSync(languages)) files.set(`languages/${name}`, readFileSync(join(languages, name)));
 const pageScript = ['storage.js', 'files.js', 'core_worker.js', 'page.js'].map(script).join('\n');
 const scripts = [['editor.js', built('editor.js').toString()], ['page.js', pageScript]];
 const style = source('page.css');
@@ -49,7 +52,7 @@ function page(parts) {
 // ---------------------------------------------------------------- the site
 
 rmSync(site, {recursive: true, force: true});
-mkdirSync(join(site, 'examples'), {recursive: true});
+for (const folder of ['examples', 'languages']) mkdirSync(join(site, folder), {recursive: true});
 for (const [name, bytes] of files) writeFileSync(join(site, name), bytes);
 for (const [name, text] of scripts) writeFileSync(join(site, name), text);
 writeFileSync(join(site, 'page.css'), style);

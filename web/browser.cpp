@@ -26,6 +26,9 @@ EM_JS(void, host_load_example, (int question, const char* name), {
 EM_JS(void, host_load_example_picture, (int question, const char* name), {
   Module.host.loadExamplePicture(question, UTF8ToString(name));
 });
+EM_JS(void, host_load_words, (int question, const char* code), {
+  Module.host.loadWords(question, UTF8ToString(code));
+});
 EM_JS(void, host_title, (const char* title, bool unsaved), {
   Module.host.title(UTF8ToString(title), unsaved);
 });
@@ -83,6 +86,11 @@ void Browser::load_example(const std::string& name, std::function<void(Result<Ex
 void Browser::load_example_picture(const std::string& name, std::function<void(std::string)> then) {
   loading_[++questions_] = std::move(then);
   host_load_example_picture(questions_, name.c_str());
+}
+
+void Browser::load_words(const std::string& code, std::function<void(std::string)> then) {
+  loading_[++questions_] = std::move(then);
+  host_load_words(questions_, code.c_str());
 }
 
 void Browser::set_title(const std::string& title, bool unsaved) {

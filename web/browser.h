@@ -11,8 +11,10 @@ namespace artisketch {
 
 class Browser : public Platform {
  public:
-  Browser(std::vector<ExampleCard> examples, std::vector<Recent> recents)
-      : examples_(std::move(examples)), recents_(std::move(recents)) {}
+  Browser(std::vector<ExampleCard> examples, std::vector<Recent> recents, std::string language)
+      : examples_(std::move(examples)),
+        recents_(std::move(recents)),
+        language_(std::move(language)) {}
 
   bool has_dialogs() override { return true; }
   void open_files(Kind kind, Opened then) override;
@@ -26,6 +28,8 @@ class Browser : public Platform {
   void load_example(const std::string& name, std::function<void(Result<Example>)> then) override;
   void load_example_picture(const std::string& name,
                             std::function<void(std::string)> then) override;
+  std::string language() override { return language_; }
+  void load_words(const std::string& code, std::function<void(std::string)> then) override;
   void set_title(const std::string& title, bool unsaved) override;
   bool prefers_dark() override;
   int default_grid() override { return 64; }
@@ -46,6 +50,7 @@ class Browser : public Platform {
   std::map<int, std::function<void(Result<Example>)>> fetching_;
   std::vector<ExampleCard> examples_;
   std::vector<Recent> recents_;
+  std::string language_;
   int questions_ = 0;
   std::string title_;
   bool unsaved_ = false;

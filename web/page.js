@@ -5,7 +5,8 @@
 //
 // Scripts and tests may count on `artisketch`:
 //   ready              promise that the editor is open
-//   widgets()          [{label, x, y, width, height, enabled, active}] of the frame drawn last, CSS pixels
+//   widgets()          [{label, words, x, y, width, height, enabled, active}] of the frame drawn last, CSS
+//                    pixels; words: the label in the person's language
 //   state()            {mode, busy, stage, progress, frame, frames, joints, hasModel, liveParts, revision,
 //                    liveRevision, canUndo, undo, message, unsaved}
 //   project(frame, x, y)   where that pixel of a sketch stands on the page: {x, y}, or null
@@ -191,9 +192,9 @@ const artisketch = (() => {
 
   function arrange(widgets) {
     while (controls.children.length > widgets.length) controls.lastElementChild.remove();
-    widgets.forEach(({label, x, y, width, height, enabled, active}, at) => {
+    widgets.forEach(({words, x, y, width, height, enabled, active}, at) => {
       const button = controls.children[at] ?? controls.appendChild(document.createElement('button'));
-      if (button.textContent !== label) button.textContent = label;
+      if (button.textContent !== words) button.textContent = words;
       // Not `disabled`: that would take the focus away while work is done.
       button.setAttribute('aria-disabled', String(!enabled));
       button.setAttribute('aria-pressed', String(active));
@@ -286,6 +287,7 @@ const artisketch = (() => {
     },
     async store(key, bytes) {
       const name = key === 'autosave' ? own.name : key;
+      if (key === 'language') document.documentElement.lang = new TextDecoder().decode(bytes);
       try {
         if (key === 'left') await own.forgetLeft();
         else if (!bytes.length) await kept.drop('kept', name);
@@ -311,6 +313,11 @@ const artisketch = (() => {
     },
     async loadExamplePicture(question, name) {
       tell('page_loaded', question, await bytesOf(`examples/${name}.png`).catch(() => new Uint8Array()));
+    },
+    async loadWords(question, code) {
+      const words = await bytesOf(`languages/${code}.txt`).catch(() => new Uint8Array());
+      if (words.length) document.documentElement.lang = code;
+      tell('page_loaded', question, words);
     },
     title(title, unsavedWork) {
       document.title = unsavedWork ? `• ${title}` : title;
@@ -354,7 +361,7 @@ const artisketch = (() => {
     });
     module = begun;
     const fault = tell('page_start', innerWidth, innerHeight,
-      JSON.stringify({examples, recents: await listed}));
+      JSON.stringify({examples, recents: await listed, language: navigator.language}));
     if (fault) {
       const why = module.UTF8ToString(fault);
       module = null;

@@ -36,8 +36,10 @@ struct Page {
   int due = 3;  // frames: widgets settle and hover fades in the frames after something came in
   std::string answer;  // text that page.js reads before it calls again
 
-  Page(Window opened, std::vector<ExampleCard> examples, std::vector<Platform::Recent> recents)
-      : browser(std::move(examples), std::move(recents)), window(std::move(opened)) {}
+  Page(Window opened, std::vector<ExampleCard> examples, std::vector<Platform::Recent> recents,
+       std::string language)
+      : browser(std::move(examples), std::move(recents), std::move(language)),
+        window(std::move(opened)) {}
 };
 
 Page* page = nullptr;  // from page_start() on, for as long as the tab lives
@@ -59,7 +61,7 @@ using namespace artisketch;
 extern "C" {
 
 // Opens the editor in the canvas, its size in CSS pixels; what is wrong in words, or null.
-// known: JSON {examples: [[name, drawings]…], recents: [[name, place]…]}.
+// known: JSON {examples: [[name, drawings]…], recents: [[name, place]…], language: "de-AT"}.
 EMSCRIPTEN_KEEPALIVE const char* page_start(int width, int height, const char* known) {
   SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#canvas");
   static std::string fault;
@@ -74,7 +76,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(int width, int height, const char* k
   std::vector<ExampleCard> examples;
   for (const Json& example : listed["examples"]) examples.push_back({example[0], example[1]});
   window->lasting = true;  // page.js asks for such a canvas
-  page = new Page(std::move(*window), std::move(examples), std::move(recents));
+  page = new Page(std::move(*window), std::move(examples), std::move(recents), listed["language"]);
   ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) {
     SDL_SetClipboardText(text);
     host_copy(text);

@@ -14,6 +14,7 @@
 #include "editor/session/files.h"
 #include "editor/session/hints.h"
 #include "editor/session/jobs.h"
+#include "editor/session/language.h"
 #include "editor/session/live.h"
 #include "editor/shell/panels.h"
 #include "editor/ui/keys.h"
@@ -48,6 +49,7 @@ struct Editor::Parts {
     platform.load("theme", [&view](const std::string& name) {
       if (!name.empty()) view.dark = name == "dark";
     });
+    recall_language(app);
     recall_hints(app);
     view.layers[std::size_t(Mode::pose)].drawing_opacity = 0.42f;
     Layers& result = view.layers[std::size_t(Mode::result)];

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "editor/ui/words.h"
+
 namespace artisketch {
 namespace {
 
@@ -15,6 +17,7 @@ Json widgets_json(const Editor& editor) {
   Json all = Json::array();
   for (const Widget& w : editor.widgets())
     all.push_back({{"label", w.label},
+                   {"words", tr(w.label)},
                    {"x", rounded(w.x)},
                    {"y", rounded(w.y)},
                    {"width", rounded(w.width)},
@@ -39,7 +42,7 @@ Json state_json(const Editor& editor) {
           {"liveRevision", s.live_revision},
           {"canUndo", s.can_undo},
           {"undo", s.undo},
-          {"message", s.message},
+          {"message", tr(s.message)},
           {"unsaved", editor.unsaved()}};
 }
 

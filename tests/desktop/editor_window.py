@@ -31,7 +31,7 @@ class Window:
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{size}x24"],
             pass_fds=[write], stderr=subprocess.DEVNULL)
         display = ":" + os.read(read, 16).decode().strip()
-        self.environment = dict(os.environ, DISPLAY=display, XDG_STATE_HOME=self.home)
+        self.environment = dict(os.environ, DISPLAY=display, XDG_STATE_HOME=self.home, LANGUAGE="en")
         rules = pathlib.Path(self.home, "openbox.xml")
         rules.write_text(
             '<openbox_config xmlns="http://openbox.org/3.4/rc"><applications><application class="*">'

@@ -112,6 +112,12 @@ void MemoryPlatform::load_example_picture(const std::string&,
   then(png_bytes(Image(4, 4)));
 }
 
+void MemoryPlatform::load_words(const std::string& code, std::function<void(std::string)> then) {
+  const Result<std::string> text =
+      read_file(ARTISKETCH_SOURCE_DIR "/assets/languages/" + code + ".txt");
+  then(text ? *text : "");
+}
+
 void MemoryPlatform::set_title(const std::string& words, bool unsaved) {
   title = words;
   unsaved_shown = unsaved;
@@ -283,9 +289,11 @@ void Harness::frame(double seconds) {
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = float(seconds);
   io.DisplaySize = {size.width, size.height};
+  if (fit_fonts(pixel_ratio))
+    io.Fonts->SetTexID(reinterpret_cast<ImTextureID>(std::uintptr_t(kFonts)));
   begin_frame();
   editor_->touch(std::exchange(fingers_, {}));
-  editor_->frame(size.width, size.height, 1);
+  editor_->frame(size.width, size.height, pixel_ratio);
   ImGui::Render();
   check(*ImGui::GetDrawData(), graphics.textures);
 }

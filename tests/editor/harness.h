@@ -43,7 +43,8 @@ class MemoryPlatform : public Platform {
   std::string title;
   bool unsaved_shown = false;
   bool dark = true, mac = false;
-  double clock = 100;  // seconds
+  std::string speaks = "en";  // the system
+  double clock = 100;         // seconds
 
   bool has_dialogs() override { return dialogs; }
   void open_files(Kind kind, Opened then) override;
@@ -57,6 +58,8 @@ class MemoryPlatform : public Platform {
   void load_example(const std::string& name, std::function<void(Result<Example>)> then) override;
   void load_example_picture(const std::string& name,
                             std::function<void(std::string)> then) override;
+  std::string language() override { return speaks; }
+  void load_words(const std::string& code, std::function<void(std::string)> then) override;
   void set_title(const std::string& words, bool unsaved) override;
   bool prefers_dark() override { return dark; }
   int default_grid() override { return 24; }
@@ -123,6 +126,7 @@ class Harness {
   StepJobs jobs;
   NoGraphics graphics;
   Size size;
+  float pixel_ratio = 1;
 
   Editor& editor() { return *editor_; }
   // Draws a frame. Fails the test where what is drawn is broken: indices beyond their vertices,

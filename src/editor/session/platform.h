@@ -69,6 +69,11 @@ class Platform {
   virtual void load_example_picture(const std::string& name,
                                     std::function<void(std::string)> then) = 0;
 
+  // The language that the person set for the browser or the system, as that names it: "de-AT",
+  // "de_DE.UTF-8"; and assets/languages/CODE.txt, empty where it can't be had.
+  virtual std::string language() = 0;
+  virtual void load_words(const std::string& code, std::function<void(std::string)> then) = 0;
+
   // The window's or the tab's title; unsaved work makes its closing ask.
   virtual void set_title(const std::string& title, bool unsaved) = 0;
   virtual bool prefers_dark() = 0;

@@ -85,6 +85,7 @@ struct View {
   Hints hints;
   float strip_scroll = 0;  // points
   bool dark = true;
+  const char* language = "en";  // one of kLanguages' codes
 
   // Another document was opened.
   void begin() {

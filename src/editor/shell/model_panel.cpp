@@ -228,13 +228,7 @@ void nothing_yet(const App& app, const Rect& place) {
   column.cut_top(8);
   const bool outlines = !drawn_joints(app.document()).empty();
   const std::string words = outlines ? "Reconstruct makes the model" : "The model appears here";
-  const std::size_t half = words.rfind(' ', words.size() / 2 + 2);
-  if (text_width(Font::body, words) < column.w) {
-    write(column.cut_top(20), Font::body, t.muted, words, Align::centre);
-  } else {
-    write(column.cut_top(20), Font::body, t.muted, words.substr(0, half), Align::centre);
-    write(column.cut_top(20), Font::body, t.muted, words.substr(half + 1), Align::centre);
-  }
+  column.cut_top(write_lines(column, Font::body, t.muted, words, 20, Align::centre));
   if (!outlines)
     write(column.cut_top(18), Font::caption, t.disabled, "once a part is outlined", Align::centre);
 }

@@ -5,9 +5,24 @@
 
 #include "editor/canvas/controls.h"
 #include "editor/session/files.h"
+#include "editor/session/language.h"
 #include "editor/shell/panels.h"
 
 namespace artisketch {
+
+namespace {
+void choose_language_in(App& app, const Rect& place) {
+  std::vector<std::pair<std::string, Look>> choices;
+  for (const Language& language : kLanguages) {
+    Look look;
+    look.on = app.view.language == std::string(language.code);
+    look.names = true;
+    choices.emplace_back(language.name, look);
+  }
+  const int chosen = segments(choices, place, Font::caption);
+  if (chosen >= 0) choose_language(app, kLanguages[std::size_t(chosen)].code);
+}
+}  // namespace
 
 void main_menu(App& app, const Rect& button) {
   const Theme& t = theme();
@@ -17,7 +32,7 @@ void main_menu(App& app, const Rect& button) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   Rect column{corner.x, corner.y + 6, kWidth, 1000};
   const auto row = [&](const std::string& label, const char* icon, const std::string& key,
-                       bool enabled) {
+                       bool enabled, bool names = false) {
     const Rect place = column.cut_top(kRow).inset(6, 0);
     const Press press = press_area("Menu " + label, place, enabled);
     if (press.hovered && enabled) draw().AddRectFilled(place.min(), place.max(), t.hover, kRadius);
@@ -27,8 +42,10 @@ void main_menu(App& app, const Rect& button) {
                  icon);
     Rect line = place.inset(10, 0);
     line.cut_left(26);
-    write(line.cut_right(80), Font::small, t.muted, key, Align::right);
-    write(line, Font::body, ink, label);
+    if (!key.empty())
+      write(line.cut_right(text_width(Font::small, key) + 8), Font::small, t.muted, key,
+            Align::right);
+    write_name(line, Font::body, ink, names ? label : tr(label));
     if (press.clicked) ImGui::CloseCurrentPopup();
     return press.clicked;
   };
@@ -52,7 +69,7 @@ void main_menu(App& app, const Rect& button) {
   gap();
   const std::vector<Platform::Recent> recents = app.services.platform.recents();
   for (std::size_t i = 0; i < recents.size() && i < 5; ++i)
-    if (row(recents[i].name, icon::kHistory, "", true)) {
+    if (row(recents[i].name, icon::kHistory, "", true, true)) {
       const std::string place = recents[i].place;
       unless_unsaved(app, [&app, place] {
         app.services.platform.open_recent(
@@ -63,6 +80,8 @@ void main_menu(App& app, const Rect& button) {
   command("theme");
   command("hints");
   command("help");
+  gap();
+  choose_language_in(app, column.cut_top(kRow).inset(10, 0));
   ImGui::SetCursorScreenPos(corner);
   ImGui::Dummy({kWidth, column.y - corner.y + 6});
   ImGui::EndPopup();

@@ -304,16 +304,21 @@ void sketch_foot(App& app, const Layout& layout) {
   const Theme& t = theme();
   Rect row = layout.canvas_foot.inset(16, 0);
   Layers& layers = app.view.layer();
-  constexpr float kZoom = 144, kWords = 48 + 8 + 24 + 38 + 8, kApart = 8;
+  const auto wide = [](const char* words, float least) {
+    return std::max(least, text_width(Font::caption, words) + 1);
+  };
+  const float drawing = wide("Drawing", 48), model = wide("Model", 38);
+  const float words = drawing + 8 + 24 + model + 8;
+  constexpr float kZoom = 144, kApart = 8;
   const float length =
-      std::clamp((row.w - kZoom - kWords - kApart) / 2, 32.0f, layout.compact ? 80.0f : 110.0f);
+      std::clamp((row.w - kZoom - words - kApart) / 2, 32.0f, layout.compact ? 80.0f : 110.0f);
   if (app.view.mode != Mode::skeleton) {
-    write(row.cut_left(48), Font::caption, t.muted, "Drawing");
+    write(row.cut_left(drawing), Font::caption, t.muted, "Drawing");
     row.cut_left(8);
     slider("Drawing opacity", row.cut_left(length), layers.drawing_opacity, 0, 1);
     row.cut_left(24);
     if (layers.model && app.shown()) {
-      write(row.cut_left(38), Font::caption, t.muted, "Model");
+      write(row.cut_left(model), Font::caption, t.muted, "Model");
       row.cut_left(8);
       slider("Model opacity", row.cut_left(length), layers.model_opacity, 0, 1);
     }
@@ -423,7 +428,9 @@ void sketch_panel(App& app, const Layout& layout, float pixel_ratio) {
                     layout.swapped ? kRadiusPanel : 0);
   const Rect place = layout.canvas;
   if (!app.has_frame()) {
-    invitation(app, place);
+    Rect free = place;  // tablets: beside the rail, which floats there
+    if (layout.tablet) free.cut_left(rail_place(app, layout).right() - place.x);
+    invitation(app, free);
     return;
   }
   if (layout.swapped) return as_inset(app, place, pixel_ratio);

@@ -77,8 +77,10 @@ void name_and_state(const App& app, Rect row) {
                             : app.document().name.empty() ? "Untitled"
                                                           : app.document().name;
   if (app.view.welcome && text_width(Font::title, title) > row.w) return;  // on phones
-  const float width = std::min(text_width(Font::title, title) + 1, row.w);
-  write(row.cut_left(width), Font::title, t.text, title);
+  const bool named = !app.view.welcome && title != "Untitled";
+  const std::string shown = named ? title : tr(title);
+  const float width = std::min(name_width(Font::title, shown) + 1, row.w);
+  write_name(row.cut_left(width), Font::title, t.text, shown);
   row.cut_left(12);
   const std::string state = state_of_file(app);
   if (state == "Saved")

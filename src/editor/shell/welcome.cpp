@@ -179,7 +179,8 @@ void gallery(App& app, const Rect& place) {
   const Theme& t = theme();
   Rect column = place.inset(24, 12);
   Rect head = column.cut_top(22);
-  write(head.cut_left(72), Font::body_bold, t.text, "Examples");
+  write(head.cut_left(text_width(Font::body_bold, "Examples") + 10), Font::body_bold, t.text,
+        "Examples");
   write(head, Font::caption, t.muted, "open one and change anything");
   column.cut_top(6);
   const std::vector<ExampleCard>& examples = app.services.examples;

@@ -41,10 +41,12 @@ Menu::~Menu() {
 
 bool Menu::line(const std::string& label, const std::string& key, bool enabled) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  record(label, {at.x, at.y, ImGui::CalcTextSize(label.c_str()).x + 20, ImGui::GetTextLineHeight()},
+  const std::string words = tr(label), key_words = tr(key);
+  record(label, {at.x, at.y, ImGui::CalcTextSize(words.c_str()).x + 20, ImGui::GetTextLineHeight()},
          enabled);
-  return ImGui::MenuItem(("  " + label + "  ").c_str(), key.empty() ? nullptr : key.c_str(), false,
-                         enabled);
+  // ImGui knows it by the English.
+  return ImGui::MenuItem(("  " + words + "  ##" + label).c_str(),
+                         key.empty() ? nullptr : key_words.c_str(), false, enabled);
 }
 
 }  // namespace artisketch

@@ -34,8 +34,13 @@ ImU32 ink_of(const Look& look) {
   return look.on ? t.accent : t.text;
 }
 
-std::string name_of(const std::string& label, const Look& look) {
+std::string id_of(const std::string& label, const Look& look) {
   return look.id.empty() ? label : look.id;
+}
+
+// As it is shown.
+std::string shown_words(const std::string& label, const Look& look) {
+  return look.names ? label : tr(label);
 }
 
 void explain(const std::string& label, const Look& look, const Press& press, bool always) {
@@ -116,10 +121,14 @@ std::string in_thousands(int number) {
   return text;
 }
 
-float text_width(Font which, const std::string& text) {
+float name_width(Font which, const std::string& text) {
   return font(which)
       ->CalcTextSizeA(em(which) * kInterLine, FLT_MAX, 0, text.data(), text.data() + text.size())
       .x;
+}
+
+float text_width(Font which, const std::string& text) {
+  return name_width(which, tr(text));
 }
 
 namespace {
@@ -129,27 +138,53 @@ ImVec2 snapped(ImVec2 p) {
   return {std::round(p.x * ratio) / ratio, std::round(p.y * ratio) / ratio};
 }
 
+// The largest face, from this one down, in which words have room: those of other languages are
+// longer.
+Font fitting(Font which, const std::string& words, float width) {
+  constexpr Font kPlain[] = {Font::body, Font::caption, Font::small};
+  constexpr Font kBold[] = {Font::headline, Font::title, Font::body_bold, Font::caption_bold,
+                            Font::small};
+  bool reached = false;
+  Font least = which;
+  const auto first_in = [&](const auto& faces) {
+    for (const Font face : faces) {
+      reached |= face == which;
+      if (!reached) continue;
+      least = face;
+      if (name_width(face, words) <= width + 0.5f) break;
+    }
+    return reached;
+  };
+  (void)(first_in(kPlain) || first_in(kBold));
+  return least;
+}
+
 std::string shortened(Font which, const std::string& text, float width) {
-  if (text_width(which, text) <= width) return text;
+  if (name_width(which, text) <= width) return text;
   std::string cut = text;
   while (!cut.empty()) {
     do cut.pop_back();
     while (!cut.empty() && (cut.back() & 0xC0) == 0x80);
     if (!cut.empty() && (cut.back() & 0xC0) == 0xC0) cut.pop_back();
-    if (text_width(which, cut + "…") <= width) break;
+    if (name_width(which, cut + "…") <= width) break;
   }
   return cut + "…";
 }
 }  // namespace
 
-void write(const Rect& place, Font which, ImU32 colour, const std::string& text, Align align) {
+void write_name(const Rect& place, Font which, ImU32 colour, const std::string& text, Align align) {
   const std::string line = shortened(which, text, place.w + 0.5f);
-  if (line.size() != text.size()) cut_short.push_back(text);
-  const float height = em(which) * kInterLine, width = text_width(which, line);
+  if (line != text) cut_short.push_back(text);
+  const float height = em(which) * kInterLine, width = name_width(which, line);
   const float slack = place.w - width;
   const float x = place.x + (align == Align::left ? 0 : align == Align::right ? slack : slack / 2);
   draw().AddText(font(which), height, snapped({x, place.y + (place.h - height) / 2}), colour,
                  line.data(), line.data() + line.size());
+}
+
+void write(const Rect& place, Font which, ImU32 colour, const std::string& text, Align align) {
+  const std::string words = tr(text);
+  write_name(place, fitting(which, words, place.w), colour, words, align);
 }
 
 namespace {
@@ -162,7 +197,7 @@ std::vector<std::string> broken(Font which, const std::string& text, float width
     const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
     const std::string word = text.substr(at, end - at);
     const std::string longer = line.empty() ? word : line + " " + word;
-    if (!line.empty() && text_width(which, longer) > width) {
+    if (!line.empty() && name_width(which, longer) > width) {
       flush();
       line = word;
     } else {
@@ -177,17 +212,17 @@ std::vector<std::string> broken(Font which, const std::string& text, float width
 }  // namespace
 
 float write_lines(const Rect& place, Font which, ImU32 colour, const std::string& text,
-                  float line_height) {
+                  float line_height, Align align) {
   float y = place.y;
-  for (const std::string& line : broken(which, text, place.w)) {
-    write({place.x, y, place.w, line_height}, which, colour, line);
+  for (const std::string& line : broken(which, tr(text), place.w)) {
+    write_name({place.x, y, place.w, line_height}, which, colour, line, align);
     y += line_height;
   }
   return y - place.y;
 }
 
 float lines_height(Font which, const std::string& text, float width, float line_height) {
-  return line_height * float(broken(which, text, width).size());
+  return line_height * float(broken(which, tr(text), width).size());
 }
 
 void write_icon(ImVec2 centre, IconSize size, ImU32 colour, const char* icon) {
@@ -274,24 +309,26 @@ Press press_area(const std::string& label, const Rect& place, bool enabled, bool
 }
 
 bool button(const std::string& label, const Rect& place, const Look& look) {
-  const Press press = press_area(name_of(label, look), place, look.enabled, look.on);
+  const Press press = press_area(id_of(label, look), place, look.enabled, look.on);
   draw().AddRectFilled(place.min(), place.max(), ground_of(look, press), kRadius);
   const ImU32 ink = ink_of(look);
-  const Font face = look.primary || look.on ? Font::body_bold : Font::body;
-  const float text = text_width(face, label);
-  constexpr float kIcon = 16, kGap = 8;
+  constexpr float kIcon = 16, kGap = 8, kLeastPad = 4;
+  const std::string words = shown_words(label, look);
+  const Font face = fitting(look.primary || look.on ? Font::body_bold : Font::body, words,
+                            place.w - 2 * kLeastPad - (look.icon ? kIcon + kGap : 0));
+  const float text = name_width(face, words);
   float x = place.x + (place.w - text - (look.icon ? kIcon + kGap : 0)) / 2;
   if (look.icon) {
     write_icon({x + kIcon / 2, place.centre().y}, IconSize::small, ink, look.icon);
     x += kIcon + kGap;
   }
-  write({x, place.y, place.right() - x, place.h}, face, ink, label);
+  write_name({x, place.y, place.right() - x, place.h}, face, ink, words);
   explain(label, look, press, false);
   return press.clicked;
 }
 
 bool icon_button(const std::string& label, const Rect& place, const Look& look) {
-  const Press press = press_area(name_of(label, look), place, look.enabled, look.on);
+  const Press press = press_area(id_of(label, look), place, look.enabled, look.on);
   draw().AddRectFilled(place.min(), place.max(), ground_of(look, press), kRadius);
   const bool small = place.h < 30;
   write_icon(place.centre(), small ? IconSize::small : IconSize::normal, ink_of(look), look.icon);
@@ -300,7 +337,7 @@ bool icon_button(const std::string& label, const Rect& place, const Look& look) 
 }
 
 bool tool_button(const std::string& label, const Rect& place, const Look& look, bool with_label) {
-  const Press press = press_area(name_of(label, look), place, look.enabled, look.on);
+  const Press press = press_area(id_of(label, look), place, look.enabled, look.on);
   draw().AddRectFilled(place.min(), place.max(), ground_of(look, press), kRadius);
   const ImU32 ink = ink_of(look);
   if (with_label) {
@@ -369,7 +406,7 @@ int segments(const std::vector<std::pair<std::string, Look>>& choices, const Rec
   for (std::size_t i = 0; i < choices.size(); ++i) {
     const auto& [label, look] = choices[i];
     const Rect cell = Rect{place.x + width * float(i), place.y, width, place.h}.inset(2);
-    const Press press = press_area(name_of(label, look), cell, look.enabled, look.on);
+    const Press press = press_area(id_of(label, look), cell, look.enabled, look.on);
     if (press.clicked) clicked = int(i);
     Look shown = look;
     shown.primary = look.on && face == Font::body;
@@ -382,15 +419,17 @@ int segments(const std::vector<std::pair<std::string, Look>>& choices, const Rec
                       : shown.primary ? t.on_accent
                       : look.on       ? t.text
                                       : t.muted;
+    const std::string words = shown_words(label, look);
     const Font used =
-        look.on ? (face == Font::caption ? Font::caption_bold : Font::body_bold) : face;
-    const float text = text_width(used, label);
+        fitting(look.on ? (face == Font::caption ? Font::caption_bold : Font::body_bold) : face,
+                words, cell.w - 4 - (look.icon ? 24 : 0));
+    const float text = name_width(used, words);
     float x = cell.x + (cell.w - text - (look.icon ? 24 : 0)) / 2;
     if (look.icon) {
       write_icon({x + 8, cell.centre().y}, IconSize::small, ink, look.icon);
       x += 24;
     }
-    write({x, cell.y, cell.right() - x, cell.h}, used, ink, label);
+    write_name({x, cell.y, cell.right() - x, cell.h}, used, ink, words);
     explain(label, look, press, false);
   }
   return clicked;

@@ -10,6 +10,7 @@
 #include "editor/ui/rect.h"
 #include "editor/ui/theme.h"
 #include "editor/ui/widget.h"
+#include "editor/ui/words.h"
 
 namespace artisketch {
 
@@ -33,14 +34,20 @@ class Panel {
 
 ImDrawList& draw();  // of the panel under way
 
+// What is written comes in English and is shown in the person's language (words.h), and is measured
+// so.
 enum class Align { left, centre, right };
 void write(const Rect& place, Font font, ImU32 colour, const std::string& text,
            Align align = Align::left);  // one line, cut short with … where it doesn't fit
 // Broken into lines of the width; gives the height that they take.
 float write_lines(const Rect& place, Font font, ImU32 colour, const std::string& text,
-                  float line_height);
+                  float line_height, Align align = Align::left);
 float lines_height(Font font, const std::string& text, float width, float line_height);
 float text_width(Font font, const std::string& text);
+// What a person called something is shown as it is.
+void write_name(const Rect& place, Font font, ImU32 colour, const std::string& name,
+                Align align = Align::left);
+float name_width(Font font, const std::string& name);
 void write_icon(ImVec2 centre, IconSize size, ImU32 colour, const char* icon);
 void shadow(const Rect& place, float radius);
 void hairline(ImVec2 from, ImVec2 to);
@@ -58,7 +65,8 @@ struct Look {
   bool quiet = false;  // no ground until the pointer is on it
   bool on = false;     // pressed in, chosen
   bool enabled = true;
-  std::string id;  // what it is recorded as, where the label alone would not be unique
+  std::string id;      // what it is recorded as, where the label alone would not be unique
+  bool names = false;  // the label is somebody's name for something: it is shown as it is
 };
 
 // What the pointer does to a rectangle; the ground of every control here.

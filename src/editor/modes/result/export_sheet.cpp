@@ -127,7 +127,7 @@ void sprite_rows(App& app, Rect& column, float room) {
   const float tall = std::clamp((room - kOthers) / kChoices, 22.0f, 31.0f);
   Rect clip = column.cut_top(26);
   write(clip.cut_left(76), Font::body, theme().text, "Clip");
-  write(clip, Font::body_bold, theme().text, sprite_wish(app).clip);
+  write_name(clip, Font::body_bold, theme().text, sprite_wish(app).clip);
   choice_row<int>(column.cut_top(tall), "Sides", {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}},
                   wish.directions);
   choice_row<int>(column.cut_top(tall), "Size",
@@ -145,7 +145,9 @@ void sprite_rows(App& app, Rect& column, float room) {
                           {{"Array", SheetLayout::array}, {"By name", SheetLayout::hash}},
                           wish.layout);
   Rect row = column.cut_top(28);
-  checkbox("Ink", row.cut_left(row.w / 4), wish.ink);
+  constexpr float kBox = 34;  // with what is left beside it
+  checkbox("Ink", row.cut_left(std::max(row.w / 4, text_width(Font::body, "Ink") + kBox)),
+           wish.ink);
   checkbox("Normals", row.cut_left(row.w * 0.55f), wish.normals);
   checkbox("Depth", row, wish.depth);
 }

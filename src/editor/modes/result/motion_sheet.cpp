@@ -84,7 +84,7 @@ void motion_sheet(App& app, const Rect& place) {
     return;
   }
   column = column.inset(16, 0);
-  write(column.cut_top(22), Font::body_bold, t.text, dropped->clips[0]);
+  write_name(column.cut_top(22), Font::body_bold, t.text, dropped->clips[0]);
   write(column.cut_top(20), Font::caption, t.muted, counted_words(dropped->made[0].map));
   column.cut_top(4);
   const long before = app.session.history.revision();

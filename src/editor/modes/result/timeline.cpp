@@ -172,10 +172,10 @@ void clip_row(App& app, int c, const Rect& row, const Ruler& ruler) {
   Rect names = {row.x + 16, row.y, kNames - 20, row.h};
   if (c == 0 && row.h > 40) {
     names.y += names.h / 2 - 18;
-    write(names.cut_top(18), Font::body_bold, t.text, clip.name);
+    write_name(names.cut_top(18), Font::body_bold, t.text, clip.name);
     write(names.cut_top(16), Font::small, t.muted, "from the drawings");
   } else {
-    write(names, on ? Font::body_bold : Font::body, t.text, clip.name);
+    write_name(names, on ? Font::body_bold : Font::body, t.text, clip.name);
   }
   const double end = clip.times.empty() ? 0 : clip.times.back();
   const Rect band{ruler.x, row.y + 1, row.right() - ruler.x - 16, row.h - 2};
