@@ -1,5 +1,6 @@
 // What stands where on screens of every size: nothing lies on a control, no words are cut short.
 #include <algorithm>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,21 @@ struct Screen {
   Harness::Size size;
 };
 
-class Screens : public testing::TestWithParam<Screen> {};
+struct Manner {
+  const char *name, *language, *theme;
+  float pixel_ratio;
+};
+
+class Screens : public testing::TestWithParam<std::tuple<Screen, Manner>> {
+ protected:
+  Screens()
+      : h({}, {{"language", manner().language}, {"theme", manner().theme}},
+          std::get<Screen>(GetParam()).size) {
+    h.pixel_ratio = manner().pixel_ratio;
+  }
+  static const Manner& manner() { return std::get<Manner>(GetParam()); }
+  Harness h;
+};
 
 bool begins(const std::string& label, std::initializer_list<const char*> words) {
   for (const char* word : words)
@@ -54,22 +69,26 @@ void expect_clear(Harness& h, const std::string& where) {
   EXPECT_EQ(words_cut_short(), std::vector<std::string>{}) << where;
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, Screens,
-                         testing::Values(Screen{"desktop", {1440, 900}},
-                                         Screen{"laptop", {1280, 720}},
-                                         Screen{"small", {1024, 768}}, Screen{"zoomed", {960, 600}},
-                                         Screen{"tablet", {820, 1180}},
-                                         Screen{"phone", {390, 844}}),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, Screens,
+    testing::Combine(testing::Values(Screen{"desktop", {1440, 900}}, Screen{"laptop", {1280, 720}},
+                                     Screen{"small", {1024, 768}}, Screen{"zoomed", {960, 600}},
+                                     Screen{"tablet", {820, 1180}}, Screen{"phone", {390, 844}}),
+                     testing::Values(Manner{"English", "en", "dark", 1},
+                                     Manner{"LightEnglish", "en", "light", 2},
+                                     Manner{"German", "de", "light", 1},
+                                     Manner{"DarkGerman", "de", "dark", 2},
+                                     Manner{"Spanish", "es", "dark", 1})),
+    [](const auto& info) {
+      return std::string(std::get<Screen>(info.param).name) + std::get<Manner>(info.param).name;
+    });
 
 TEST_P(Screens, TheFirstScreenHoldsItsWordsAndControls) {
-  Harness h({}, {}, GetParam().size);
   h.settle();
   expect_clear(h, "welcome");
 }
 
 TEST_P(Screens, EachModeHoldsItsWordsAndControls) {
-  Harness h({}, {}, GetParam().size);
   h.open_example("hero");
   h.settle();
   for (const ImGuiKey key : {ImGuiKey_1, ImGuiKey_2, ImGuiKey_3, ImGuiKey_4}) {
@@ -80,7 +99,6 @@ TEST_P(Screens, EachModeHoldsItsWordsAndControls) {
 }
 
 TEST_P(Screens, TheExportSheetHoldsItsWordsAndControls) {
-  Harness h({}, {}, GetParam().size);
   h.open_example("hero");
   h.settle();
   h.key(ImGuiKey_R);
