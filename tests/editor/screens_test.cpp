@@ -23,7 +23,7 @@ struct Manner {
 class Screens : public testing::TestWithParam<std::tuple<Screen, Manner>> {
  protected:
   Screens()
-      : h({}, {{"language", manner().language}, {"theme", manner().theme}},
+      : h({"hero"}, {{"language", manner().language}, {"theme", manner().theme}},
           std::get<Screen>(GetParam()).size) {
     h.pixel_ratio = manner().pixel_ratio;
   }

@@ -218,6 +218,8 @@ float write_lines(const Rect& place, Font which, ImU32 colour, const std::string
     write_name({place.x, y, place.w, line_height}, which, colour, line, align);
     y += line_height;
   }
+  // A line that leans out of its place by less than half has the place's margin.
+  if (y > place.bottom() + line_height / 2) cut_short.push_back(text);
   return y - place.y;
 }
 
