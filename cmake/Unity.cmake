@@ -33,6 +33,7 @@ set(alone
   tests/figures/ballerina.cpp
   tests/figures/alien.cpp
   tests/figures/climber.cpp
+  tests/figures/legs.cpp
   tests/figures/parrot.cpp
   tests/figures/polygonise.cpp
   tests/quality/inconsistent.cpp

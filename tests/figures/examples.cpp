@@ -169,7 +169,8 @@ constexpr std::pair<std::string_view, Maker> kMakers[] = {
     {"circles", circles},      {"heart", heart_too_low},       {"hero", hero_abroad},
     {"fox", fox_about},        {"robot", robot_at_work},       {"prince", prince_walking},
     {"horse", horse_trotting}, {"horse-three", horse_turning}, {"ballerina", ballerina_dancing},
-    {"alien", alien_landed},   {"climber", climber_climbing},  {"parrot", parrot_flying}};
+    {"alien", alien_landed},   {"climber", climber_climbing},  {"legs", legs_dancing},
+    {"parrot", parrot_flying}};
 
 }  // namespace
 

@@ -27,6 +27,7 @@ Example horse_turning();   // three
 Example ballerina_dancing();
 Example alien_landed();
 Example climber_climbing();
+Example legs_dancing();
 Example parrot_flying();
 
 }  // namespace artisketch::figures
