@@ -261,8 +261,9 @@ void check(const ImDrawData& data, const std::set<unsigned>& textures) {
 }  // namespace
 
 Harness::Harness(std::vector<std::string> examples, std::map<std::string, std::string> kept,
-                 Size size)
+                 Size size, const std::string& language)
     : size(size) {
+  platform.speaks = language;
   platform.example_names = std::move(examples);
   platform.kept = std::move(kept);
   context_ = ImGui::CreateContext(&shared_fonts());

@@ -115,9 +115,11 @@ class Harness {
   struct Size {
     float width = 0, height = 0;  // points
   };
-  // The first of the examples greets; `kept` is what was stored before.
+  // The first of the examples greets; `kept` is what was stored before; the system speaks
+  // `language`.
   explicit Harness(std::vector<std::string> examples = {},
-                   std::map<std::string, std::string> kept = {}, Size size = {1440, 900});
+                   std::map<std::string, std::string> kept = {}, Size size = {1440, 900},
+                   const std::string& language = "en");
   ~Harness();
   Harness(const Harness&) = delete;
   Harness& operator=(const Harness&) = delete;

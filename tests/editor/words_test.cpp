@@ -277,8 +277,8 @@ TEST_P(Languages, NoSheetIsLeftInEnglish) {
 }
 
 TEST(Language, IsTheSystemsUntilAnotherIsChosen) {
-  Harness h({"hero"});
-  EXPECT_EQ(tr("Undo"), "Undo");
+  Harness h({"hero"}, {}, {1440, 900}, "es-MX");
+  EXPECT_EQ(tr("Undo"), "Deshacer");
   h.click("Menu");
   h.click("Deutsch");
   EXPECT_EQ(tr("Undo"), "Rückgängig");
@@ -286,6 +286,7 @@ TEST(Language, IsTheSystemsUntilAnotherIsChosen) {
   EXPECT_EQ(tr("nobody translated this"), "nobody translated this");
   h.click("English");
   EXPECT_EQ(tr("Undo"), "Undo");
+  EXPECT_EQ(h.platform.kept["language"], "en") << "whatever the system speaks";
 }
 
 }  // namespace
