@@ -35,6 +35,7 @@ set(alone
   tests/figures/climber.cpp
   tests/figures/legs.cpp
   tests/figures/parrot.cpp
+  tests/figures/monster.cpp
   tests/figures/polygonise.cpp
   tests/quality/inconsistent.cpp
 )

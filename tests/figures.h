@@ -48,6 +48,7 @@ Figure prince();                 // joints as human's, and a cape
 Figure ballerina();              // joints as human's, and a tutu
 Figure climber();                // joints as human's
 Figure alien();                  // joints as human's
+Figure monster();                // arms and legs on a body that is its head
 Figure legs();                   // a dancer's, with the hips
 Figure parrot();                 // joints as the bird's of document/templates.h, without a beak
 Figure horse(bool three_parts);  // joints as quadruped's, a neck, and a torso of one part or three

@@ -170,7 +170,7 @@ constexpr std::pair<std::string_view, Maker> kMakers[] = {
     {"fox", fox_about},        {"robot", robot_at_work},       {"prince", prince_walking},
     {"horse", horse_trotting}, {"horse-three", horse_turning}, {"ballerina", ballerina_dancing},
     {"alien", alien_landed},   {"climber", climber_climbing},  {"legs", legs_dancing},
-    {"parrot", parrot_flying}};
+    {"parrot", parrot_flying}, {"monster", monster_once}};
 
 }  // namespace
 

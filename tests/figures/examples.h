@@ -29,5 +29,6 @@ Example alien_landed();
 Example climber_climbing();
 Example legs_dancing();
 Example parrot_flying();
+Example monster_once();  // a single drawing
 
 }  // namespace artisketch::figures
