@@ -70,13 +70,14 @@ Result<JobResult> run_calibration(const Document& document, const JobRequest& re
 Result<JobResult> run_parts(const JobRequest& request, Run& run) {
   const PipelineOptions& options = request.options;
   JobResult out;
-  for (const Part& part : request.parts) {
+  std::vector<Result<PartSurface>> surfaces =
+      reconstruct_parts(request.parts, {options.method, options.grid, options.visual_hull}, run);
+  if (run.cancelled()) return cancelled();
+  for (std::size_t p = 0; p < surfaces.size(); ++p) {
+    const Part& part = request.parts[p];
     PartMesh made;
     made.joint = part.joint;
-    Result<PartSurface> surface =
-        reconstruct_part(part, {options.method, options.grid, options.visual_hull}, run);
-    if (run.cancelled()) return cancelled();
-    if (surface) {
+    if (const Result<PartSurface>& surface = surfaces[p]) {
       made.mesh = thinned(surface->mesh, kThinningError * surface->distance.cell);
       made.distances = view_distances(part, made.mesh);
       for (const PartView& view : part.views) made.frames.push_back(view.frame);
@@ -93,12 +94,11 @@ Result<JobResult> run_parts(const JobRequest& request, Run& run) {
 Result<JobResult> run_spheres(const Document& document, const JobRequest& request, Run& run) {
   const PipelineOptions& options = request.options;
   std::vector<PartSurface> surfaces;
-  for (const Part& part : parts_of(with_shaping_contours(document))) {
-    Result<PartSurface> surface =
-        reconstruct_part(part, {options.method, options.grid, options.visual_hull}, run);
-    if (run.cancelled()) return cancelled();
+  for (Result<PartSurface>& surface :
+       reconstruct_parts(parts_of(with_shaping_contours(document)),
+                         {options.method, options.grid, options.visual_hull}, run))
     if (surface) surfaces.push_back(std::move(*surface));
-  }
+  if (run.cancelled()) return cancelled();
   JobResult out;
   out.spheres = joint_spheres(document, surfaces);
   return out;

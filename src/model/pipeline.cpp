@@ -1,16 +1,10 @@
 // The whole of it, as the paper's section 1.3 tells it: calibrate the poses, reconstruct every
 // part, make them one skin, bind that to the skeleton.
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <mutex>
-#include <numeric>
-#include <optional>
 #include <string>
 
-#include "base/at_once.h"
 #include "base/blocking.h"
 #include "base/words.h"
 #include "document/place_words.h"
@@ -166,46 +160,6 @@ Result<Done> paint(const Document& posed, std::span<const Image> drawings, Stage
   return Done();
 }
 
-// Every part's surface, several at once. Fails as the first of them that does.
-Result<std::vector<PartSurface>> surfaces_of(const std::vector<Part>& parts,
-                                             const SurfaceOptions& options, Run& run) {
-  const int count = int(parts.size());
-  std::vector<std::optional<Result<PartSurface>>> made(parts.size());
-  std::vector<Trace> traces(parts.size());
-  std::vector<double> done(parts.size(), 0);
-  std::mutex telling;
-  std::atomic<bool> failed = false;
-  at_once(count, run.threads, [&](int p) {
-    if (failed) return;
-    Run own;
-    own.cancel = run.cancel;
-    own.trace = run.trace ? &traces[p] : nullptr;
-    own.on_progress = [&](const Progress& now) {
-      const std::lock_guard lock(telling);
-      done[p] = now.fraction;
-      run.now.item = parts[p].name;
-      run.now.part = p;
-      run.now.parts = count;
-      run.report(std::accumulate(done.begin(), done.end(), 0.0) / count);
-    };
-    own.report(0);
-    made[p] = reconstruct_part(parts[p], options, own);
-    failed = failed || !*made[p];
-    own.report(1);
-  });
-  // Parts are begun in their order, so that whoever fails first in it has been begun.
-  std::vector<PartSurface> surfaces;
-  for (int p = 0; p < count; ++p) {
-    if (run.trace)
-      std::move(traces[p].entries.begin(), traces[p].entries.end(),
-                std::back_inserter(run.trace->entries));
-    if (!made[p]) continue;
-    if (!*made[p]) return made[p]->error();
-    surfaces.push_back(std::move(**made[p]));
-  }
-  return surfaces;
-}
-
 // Of a document whose joints are in one order.
 Result<Reconstruction> reconstruct_ordered(const Document& document, const PipelineOptions& options,
                                            Run& run) {
@@ -234,14 +188,13 @@ Result<Reconstruction> reconstruct_ordered(const Document& document, const Pipel
   for (const Bend& bend : bends_of(parts)) out.warnings.push_back(bend_words(posed, bend));
   if (options.mirror) add_mirrored_views(drawn, parts);
   double cells = 0, part_vertices = 0;
-  Result<std::vector<PartSurface>> surfaces =
-      surfaces_of(parts, {options.method, options.grid, options.visual_hull}, run);
-  if (!surfaces) return surfaces.error();
-  out.parts = std::move(*surfaces);
-  for (const PartSurface& surface : out.parts) {
-    append(out.warnings, surface.warnings);
-    cells += double(surface.distance.values.size());
-    part_vertices += double(surface.mesh.V.rows());
+  for (Result<PartSurface>& surface :
+       reconstruct_parts(parts, {options.method, options.grid, options.visual_hull}, run)) {
+    if (!surface) return surface.error();
+    append(out.warnings, surface->warnings);
+    cells += double(surface->distance.values.size());
+    part_vertices += double(surface->mesh.V.rows());
+    out.parts.push_back(std::move(*surface));
   }
   stages.finish({{"parts", double(parts.size())}, {"cells", cells}, {"vertices", part_vertices}});
 

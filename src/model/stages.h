@@ -163,6 +163,9 @@ Result<Mesh> reduce_volume(const Part& part, const Mesh& mesh, std::span<const R
 
 // All of the above for one part, by the chosen method.
 Result<PartSurface> reconstruct_part(const Part& part, const SurfaceOptions& options, Run& run);
+// Each part's, in their order, several at once.
+std::vector<Result<PartSurface>> reconstruct_parts(std::span<const Part> parts,
+                                                   const SurfaceOptions& options, Run& run);
 Result<PartSurface> surface_paper(const Part& part, const SurfaceOptions& options, Run& run);
 Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options, Run& run);
 
