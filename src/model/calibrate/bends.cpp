@@ -161,7 +161,7 @@ std::string bend_words(const Document& document, const Bend& bend) {
   return frame_words(document, bend.bent) + ": '" + document.skeleton.joints[bend.joint].name +
          "' is bent by " + std::to_string(std::lround(degrees(bend.angle))) + "° against " +
          frame_words(document, bend.straighter) +
-         ": one rigid part can't show both. Add a joint where it bends, and cut its outlines there";
+         ": one rigid part can't show both. Split it at a joint where it bends";
 }
 
 }  // namespace artisketch

@@ -51,7 +51,7 @@ TEST(Bends, APartThatBendsFromDrawingToDrawingIsNamed) {
   EXPECT_NEAR(degrees(bends[0].angle), 70, 15);
   const std::string words = bend_words(document, bends[0]);
   EXPECT_NE(words.find("'arm' is bent"), words.npos) << words;
-  EXPECT_NE(words.find("Add a joint"), words.npos) << words;
+  EXPECT_NE(words.find("Split it at a joint"), words.npos) << words;
 }
 
 TEST(Bends, ABentPartThatStaysAsItIsIsNot) {
