@@ -70,6 +70,17 @@ class Window:
             return [w for w in self.widgets() if w["label"] == label]
         return self.wait(named, f"the control {label!r}")[0]
 
+    def has(self, label):
+        """Waits for a control or words of that name; they need not be enabled."""
+        self.control(label)
+
+    def type_path(self, path):
+        """Answers the question for a path."""
+        self.has("Path")
+        self.key("ctrl+a")
+        self.x("type", "--delay", "40", str(path))
+        self.key("Return")
+
     def x(self, *words):
         subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True)
         time.sleep(0.12)

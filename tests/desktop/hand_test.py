@@ -10,17 +10,13 @@ def labels(window):
     return [w["label"] for w in window.widgets()]
 
 
-def has(window, label):
-    window.wait(lambda: label in labels(window), why=label)
-
-
 def figures_are_picked_on_a_sheet():
     sheet, front = pictures / "walk.png", str(examples / "hero/front.png")
     subprocess.run(["convert", front, front, front, "+append", "-resize", "40%", "-gravity", "north",
                     "-background", "none", "-splice", "0x60", "-pointsize", "36", "-annotate", "+0+8", "WALK",
                     str(sheet)], check=True)
     window = Window("1280x720", sheet)
-    has(window, "Figure 3")
+    window.has("Figure 3")
     window.picture("picking")
     window.click("Figure 2")
     window.wait(lambda: not window.control("Figure 2")["active"], why="one left out")
@@ -28,20 +24,20 @@ def figures_are_picked_on_a_sheet():
     # The title, by hand: it becomes a row of its own.
     x, y = first["x"], first["y"]
     window.drag([(x + 120, y - 24), (x + 200, y - 14), (x + 300, y - 4)])
-    has(window, "Figure A1")
+    window.has("Figure A1")
     window.picture("picking-drawn")
     window.click("Cut it up")
     window.wait(lambda: window.state()["frames"] == 3, why="two figures and the title")
     window.x("mousemove", 100, 660)
     window.x("mousemove", *(round(window.control("Drawing card 2")[k] + 40) for k in ("x", "y")))
     window.x("click", 3)
-    has(window, "Crop by hand")
+    window.has("Crop by hand")
     window.picture("drawing-menu")
     window.click("Crop by hand")
     ground = window.control("Picture to pick on")
     x, y = ground["x"] + ground["width"] / 2, ground["y"] + ground["height"] / 2
     window.drag([(x - 80, y - 90), (x, y), (x + 70, y + 100)])
-    has(window, "Crop box")
+    window.has("Crop box")
     window.picture("cropping")
     window.click("Crop to the box")
     window.wait(lambda: window.state()["undo"] == "Crop drawing", why="the crop")
@@ -54,15 +50,15 @@ def each_mode_says_what_one_does():
         window = Window(size, examples / "hero/hero.artisketch", hints=True)
         for mode in ("Outline", "Skeleton", "Pose", "Result"):
             window.click(f"{mode} mode")
-            has(window, "Got it")
+            window.has("Got it")
             window.picture(f"hints-{mode.lower()}-{size}")
             window.click("Got it")
             window.wait(lambda: "Got it" not in labels(window), why="the card put away")
         window.click("Shortcuts")
-        has(window, "How this mode works")
+        window.has("How this mode works")
         window.picture(f"shortcuts-{size}")
         window.click("How this mode works")
-        has(window, "Got it")
+        window.has("Got it")
         window.close()
 
 
@@ -87,8 +83,8 @@ def clips_and_sizes_are_chosen_to_export():
     window.click("New clip")
     window.wait(lambda: window.state()["undo"] == "New clip", why="a clip")
     window.click("Export")
-    has(window, "Format GLB")
-    has(window, "clip 1")
+    window.has("Format GLB")
+    window.has("clip 1")
     window.picture("export-clips")
     window.click("clip 1")
     window.wait(lambda: not window.control("clip 1")["active"], why="the clip left out")
@@ -98,11 +94,8 @@ def clips_and_sizes_are_chosen_to_export():
     window.picture("export-sprites")
     window.click("Format GLB")
     window.click("Export circles.glb")
-    has(window, "Path")
     out = pathlib.Path(window.home, "small.glb")
-    window.key("ctrl+a")
-    window.x("type", "--delay", "40", str(out))
-    window.key("Return")
+    window.type_path(out)
     window.wait(out.exists, why="the file")
     assert out.read_bytes()[:4] == b"glTF"
     window.close()

@@ -5,14 +5,10 @@ import json, pathlib
 from editor_window import Window, examples, run
 
 
-def has(window, label):
-    window.wait(lambda: any(w["label"] == label for w in window.widgets()), why=label)
-
-
 def choose(window, button, line):
     """A line of the menu that a button opens, once it stands where it stays."""
     window.click(button)
-    has(window, line)
+    window.has(line)
     places = []
 
     def still():
@@ -22,27 +18,20 @@ def choose(window, button, line):
     window.click(line)
 
 
-def type_path(window, path):
-    has(window, "Path")
-    window.key("ctrl+a")
-    window.x("type", "--delay", "40", str(path))
-    window.key("Return")
-
-
 def a_clip_is_chosen_and_exported_for_an_engine():
     window = Window("1440x900", examples / "hero/hero.artisketch")
     window.click("Reconstruct")
     window.wait(lambda: window.state()["hasModel"], "the model")
     window.click("Result mode")
     choose(window, "Library", "Add walk")
-    has(window, "Clip walk")
+    window.has("Clip walk")
     window.picture("walk")
     window.click("Export")
     choose(window, "Joints' names", "Unreal's mannequin")
     window.picture("export-unreal")
     window.click("Export hero.glb")
     out = pathlib.Path(window.home, "hero.glb")
-    type_path(window, out)
+    window.type_path(out)
     window.wait(out.exists, why="the file")
     glb = out.read_bytes()
     model = json.loads(glb[20:20 + int.from_bytes(glb[12:16], "little")])

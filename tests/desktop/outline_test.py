@@ -43,10 +43,7 @@ def hand_of(path):
 def save_as(window, name):
     saved = pathlib.Path(window.home, name)
     window.key("ctrl+shift+s")
-    window.wait(lambda: "Path" in labels(window), why="the question")
-    window.key("ctrl+a")
-    window.x("type", "--delay", "40", str(saved))
-    window.key("Return")
+    window.type_path(saved)
     window.wait(saved.exists, why="the file")
     return saved
 
