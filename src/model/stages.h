@@ -163,7 +163,8 @@ Result<Mesh> reduce_volume(const Part& part, const Mesh& mesh, std::span<const R
 
 // All of the above for one part, by the chosen method.
 Result<PartSurface> reconstruct_part(const Part& part, const SurfaceOptions& options, Run& run);
-// Each part's, in their order, several at once.
+// Each part's, in their order, on up to run.threads threads. One that fails leaves the others to be
+// made.
 std::vector<Result<PartSurface>> reconstruct_parts(std::span<const Part> parts,
                                                    const SurfaceOptions& options, Run& run);
 Result<PartSurface> surface_paper(const Part& part, const SurfaceOptions& options, Run& run);
