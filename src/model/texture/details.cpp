@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/raster.h"
+#include "model/texture/drawn_details.h"
 #include "model/texture/unlikeness.h"
 
 namespace artisketch {
@@ -14,128 +14,91 @@ namespace {
 // In shares of the figure's size.
 constexpr double kLargest = 0.1;  // detail; what is larger is the ground that details lie on
 constexpr double kAstray = 0.1;   // how far apart two drawings may lay the same detail
-constexpr int kLeastFaces = 3;
-constexpr float kAlike = 0.2f;       // colours of neighbours that hang together, and of one detail
-constexpr float kStandsOut = 0.35f;  // from the ground round it
-constexpr float kMostRatio = 3;      // between the areas of one detail in two drawings
-constexpr float kMostSeen = 0.5f;    // of a place, to know that there is no such detail there
+// Where the model's depth is off, the detail is where the drawings' rays meet: so near to each
+// other, and so far from where the model has them.
+constexpr double kMeet = 0.025, kDeep = 0.15;
+constexpr int kPattern = 4;            // alike details so near each other, itself among them
+constexpr double kStep = 0.02;         // of depth between neighbours that is an edge
+constexpr double kAway = 0.015;        // how far a detail's line and blur reach
+constexpr float kAlike = 0.2f;         // colours of one detail
+constexpr double kMostRatio = 4;       // between the areas of one detail in two drawings,
+constexpr double kLeastPart = 12;      // and where one has it cut off
+constexpr float kMostSeen = 0.5f;      // of a place, to know that there is no such detail there
 constexpr float kNearlyAsWell = 0.6f;  // of the best quality: good enough for the earlier drawing
+constexpr double kPlain = 0.6;         // times as far as the next best: no mere look-alike
 constexpr int kRound = 2;         // rings of triangles that belong to a detail: its line, its blur
 constexpr int kSoften = 40;       // rounds that even out what is painted over
 constexpr int kMostDetails = 10;  // of a drawing that can be the same as one: the nearest
 
+// A detail of a drawing, where a view lays it on the model.
 struct Detail {
-  int view = 0;
+  int view = 0, joint = 0;
+  const DrawnDetail* drawn = nullptr;
   std::vector<int> faces;
-  Vec3 middle = Vec3::Zero();
+  Vec3 middle = Vec3::Zero();  // on the model
+  Ray ray;                     // that it lies on
   double area = 0;
-  Rgb colour = Rgb::Zero();
   float quality = 0;
-  bool whole = true;  // doesn't run on where the view shows nothing
+  bool pattern = false;  // one of several alike: which is which in another drawing can't be told
 };
 
-// Finds what stands out in one view.
-class Finder {
- public:
-  Finder(const Mesh& mesh, const FaceNeighbours& neighbours, const DrawnSurface& surface)
-      : neighbours_(neighbours), surface_(surface), size_(bounds(mesh.V).sizes().norm()) {
-    for (int f = 0; f < mesh.F.rows(); ++f) {
-      const Vec3 a = mesh.V.row(mesh.F(f, 0)).transpose(), b = mesh.V.row(mesh.F(f, 1)).transpose(),
-                 c = mesh.V.row(mesh.F(f, 2)).transpose();
-      middle_.push_back((a + b + c) / 3);
-      area_.push_back((b - a).cross(c - a).norm() / 2);
-    }
-    faces_ = &mesh.F;
-  }
-  double size() const { return size_; }
+// A drawing's details.
+struct Found {
+  std::vector<DrawnDetail> details;
+  std::vector<int> label;  // of each pixel; −1: none
+};
 
-  std::vector<Detail> details(int view) {
-    look(view);
-    const int n = int(colour_.size());
-    // Stretches of one colour; those that are small.
-    std::vector<std::uint8_t> small(n, 0);
-    for (const std::vector<int>&stretch : stretches([&](int f, int g) {
-           return seen(f) && seen(g) && unlikeness(colour_[f], colour_[g]) < kAlike;
-         }))
-      if (extent(stretch) <= kLargest * size_)
-        for (const int f : stretch) small[f] = 1;
-    // What is small and hangs together is one: an eye's white, its iris and its ring.
-    std::vector<Detail> out;
-    for (std::vector<int>&stretch : stretches([&](int f, int g) { return small[f] && small[g]; }))
-      if (int(stretch.size()) >= kLeastFaces && extent(stretch) <= kLargest * size_)
-        add(view, std::move(stretch), out);
-    return out;
-  }
+// What isn't whole may be any smaller part of the other.
+bool may_be_part(const Detail& a, const Detail& b) {
+  return a.area * (a.drawn->whole ? kMostRatio : kLeastPart) > b.area;
+}
+bool alike(const Detail& a, const Detail& b) {
+  return unlikeness(a.drawn->colour, b.drawn->colour) < kAlike && may_be_part(a, b) &&
+         may_be_part(b, a);
+}
 
- private:
-  bool seen(int f) const { return colour_[f].x() >= 0; }
-  void look(int view) {
-    const SurfaceView& shown = surface_.views[view];
-    colour_.assign(middle_.size(), Rgb::Constant(-1));
-    for (int f = 0; f < int(colour_.size()); ++f)
-      if (shown.quality[f] > 0)
-        if (const auto c = shown.colour(surface_.sketches, *faces_, f, Vec3::Constant(1 / 3.0)))
-          colour_[f] = *c;
-  }
-  double extent(const std::vector<int>& faces) const {
-    Box3 box;
-    for (const int f : faces) box.extend(middle_[f]);
-    return box.sizes().norm();
-  }
-  // The faces in sets that hang together.
-  template <class Together>
-  std::vector<std::vector<int>> stretches(const Together& together) const {
-    std::vector<std::vector<int>> out;
-    std::vector<std::uint8_t> done(colour_.size(), 0);
-    for (int seed = 0; seed < int(done.size()); ++seed) {
-      if (done[seed] || !together(seed, seed)) continue;
-      done[seed] = 1;
-      std::vector<int> faces = {seed};
-      for (std::size_t head = 0; head < faces.size(); ++head)
-        for (const int g : neighbours_[faces[head]])
-          if (g >= 0 && !done[g] && together(faces[head], g)) {
-            done[g] = 1;
-            faces.push_back(g);
-          }
-      out.push_back(std::move(faces));
+std::vector<Detail> details_in(const Mesh& mesh, const DrawnSurface& surface, int index,
+                               const Found& found, double size) {
+  const SurfaceView& view = surface.views[index];
+  const Sketch& sketch = surface.sketches[view.sketch];
+  std::vector<Detail> all(found.details.size());
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    if (view.quality[f] <= 0) continue;
+    Vec2 pixel = Vec2::Zero();
+    Vec3 middle = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+      pixel += view.pixels[mesh.F(f, k)] / 3;
+      middle += mesh.V.row(mesh.F(f, k)).transpose() / 3;
     }
-    return out;
+    if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < sketch.width &&
+          pixel.y() < sketch.height))
+      continue;
+    const int label = found.label[std::size_t(pixel.y()) * sketch.width + std::size_t(pixel.x())];
+    if (label < 0) continue;
+    Detail& detail = all[label];
+    detail.faces.push_back(f);
+    detail.middle += middle;
+    detail.quality += view.quality[f];
   }
-  void add(int view, std::vector<int> faces, std::vector<Detail>& out) const {
-    Detail detail;
-    detail.view = view;
-    Rgb ground = Rgb::Zero();
-    int round = 0, open = 0;
-    for (const int f : faces) {
-      detail.middle += area_[f] * middle_[f];
-      detail.colour += float(area_[f]) * colour_[f];
-      detail.quality += float(area_[f]) * surface_.views[view].quality[f];
-      detail.area += area_[f];
-      for (const int g : neighbours_[f]) {
-        if (g < 0 || !seen(g))
-          ++open;
-        else if (std::find(faces.begin(), faces.end(), g) == faces.end())
-          ground += colour_[g], ++round;
-      }
-    }
-    if (!(detail.area > 0) || round == 0) return;
-    detail.middle /= detail.area;
-    detail.colour /= float(detail.area);
-    detail.quality /= float(detail.area);
-    detail.whole = open == 0;
-    if (unlikeness(detail.colour, ground / float(round)) < kStandsOut) return;
-    detail.faces = std::move(faces);
+  std::vector<Detail> out;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Detail& detail = all[i];
+    if (detail.faces.empty()) continue;
+    detail.view = index;
+    detail.drawn = &found.details[i];
+    detail.middle /= double(detail.faces.size());
+    detail.quality /= float(detail.faces.size());
+    detail.ray = view.ray(detail.drawn->middle, detail.drawn->joint);
+    const double scale = view.camera.pixels_per_unit(0);
+    detail.area = double(detail.drawn->pixels.size()) / (scale * scale);
     out.push_back(std::move(detail));
   }
-
-  const FaceNeighbours& neighbours_;
-  const DrawnSurface& surface_;
-  const Triangles* faces_ = nullptr;
-  double size_;
-  std::vector<Vec3> middle_;  // #F
-  std::vector<double> area_;  // #F
-  std::vector<Rgb> colour_;   // #F, of the view that is looked at; −1 where it shows nothing
-};
+  for (Detail& one : out)
+    one.pattern = kPattern <= std::count_if(out.begin(), out.end(), [&](const Detail& other) {
+                    return alike(one, other) && (one.middle - other.middle).norm() < kAstray * size;
+                  });
+  return out;
+}
 
 // Of the faces, the share that a view shows.
 float share_seen(const SurfaceView& view, const std::vector<int>& faces) {
@@ -144,12 +107,27 @@ float share_seen(const SurfaceView& view, const std::vector<int>& faces) {
   return float(shown) / float(faces.size());
 }
 
-// Whether both can be the same thing, and only one of them right about its place.
-bool may_be_one(const Detail& a, const Detail& b, const DrawnSurface& surface) {
-  const double ratio = a.area / b.area;
-  return unlikeness(a.colour, b.colour) < kAlike && ratio < kMostRatio && 1 / ratio < kMostRatio &&
-         (share_seen(surface.views[a.view], b.faces) >= kMostSeen ||
-          share_seen(surface.views[b.view], a.faces) >= kMostSeen);
+// Whether only one of them can be right about its place: the drawing of one shows that of the
+// other.
+bool contradict(const Detail& a, const Detail& b, const DrawnSurface& surface) {
+  return share_seen(surface.views[a.view], b.faces) >= kMostSeen ||
+         share_seen(surface.views[b.view], a.faces) >= kMostSeen;
+}
+
+// How far two drawings are from agreeing on a detail's place: from 1 on they show two.
+double way_between(const Detail& a, const Detail& b, double size) {
+  const double astray = (a.middle - b.middle).norm() / (kAstray * size);
+  NearestToRays nearest((a.middle + b.middle) / 2, 1e-2);
+  nearest.add(a.ray);
+  nearest.add(b.ray);
+  const Vec3 there = nearest.point();
+  const auto off = [&](const Ray& ray) {
+    return (there - ray.origin).cross(ray.direction).norm() / ray.direction.norm();
+  };
+  const double meet = (off(a.ray) + off(b.ray)) / (kMeet * size),
+               deep =
+                   std::max((there - a.middle).norm(), (there - b.middle).norm()) / (kDeep * size);
+  return std::min(astray, std::hypot(meet, deep));
 }
 
 // Which of the known details each new one is: as many as can be, the ways between them as short as
@@ -157,15 +135,23 @@ bool may_be_one(const Detail& a, const Detail& b, const DrawnSurface& surface) {
 class Match {
  public:
   Match(const std::vector<Detail>& known, const std::vector<Detail>& found,
-        const DrawnSurface& surface, double far)
+        const DrawnSurface& surface, double size)
       : used_(known.size(), 0), now_(found.size(), -1), best_(now_) {
     for (const Detail& one : found) {
       std::vector<std::pair<double, int>>& ways = ways_.emplace_back();
       for (int k = 0; k < int(known.size()); ++k)
-        if (const double way = (known[k].middle - one.middle).norm() / far;
-            way < 1 && may_be_one(known[k], one, surface))
-          ways.emplace_back(way * way, k);
+        if (!one.pattern && !known[k].pattern && alike(known[k], one))
+          ways.emplace_back(way_between(known[k], one, size), k);
       std::sort(ways.begin(), ways.end());
+      const bool plain =
+          ways.size() == 1 || (ways.size() > 1 && ways[0].first < kPlain * ways[1].first);
+      int rank = 0;
+      std::erase_if(ways, [&](const auto& way) {
+        const Detail& other = known[way.second];
+        const bool first = rank++ == 0 && plain && one.drawn->whole && other.drawn->whole;
+        return way.first >= 1 || !(first || contradict(other, one, surface));
+      });
+      for (auto& way : ways) way.first *= way.first;
       if (ways.size() > kMostDetails) ways.resize(kMostDetails);
     }
     go(0, 0);
@@ -219,39 +205,28 @@ std::vector<int> with_rings(std::vector<int> faces, const FaceNeighbours& neighb
 const Detail* best_of(const std::vector<Detail>& same) {
   float best = 0;
   for (const Detail& one : same)
-    if (one.whole) best = std::max(best, one.quality);
+    if (one.drawn->whole) best = std::max(best, one.quality);
   const auto kept = std::find_if(same.begin(), same.end(), [&](const Detail& one) {
-    return one.whole && one.quality >= kNearlyAsWell * best;
+    return one.drawn->whole && one.quality >= kNearlyAsWell * best;
   });
   return kept == same.end() ? nullptr : &*kept;
 }
 
-// Paints over the pixels of some triangles with what lies round them.
-void paint_over(const Mesh& mesh, const SurfaceView& view, const std::vector<int>& faces,
-                Sketch& sketch) {
-  Triangles F(faces.size(), 3);
-  for (std::size_t i = 0; i < faces.size(); ++i) F.row(i) = mesh.F.row(faces[i]);
-  Mask mask(sketch.width, sketch.height);
-  add_triangles(view.pixels, F, mask);
+// Paints over some pixels with what lies round them.
+void paint_over(const std::vector<std::size_t>& pixels, Sketch& sketch) {
+  std::vector<std::uint8_t> open(sketch.state.size(), 0);
   std::vector<std::size_t> inside;
-  const std::size_t width = sketch.width;
-  for (std::size_t p = 0; p < mask.in.size(); ++p)
-    if (mask.in[p] && sketch.state[p] != Sketch::nothing) inside.push_back(p);
-  const auto each_beside = [&](std::size_t p, const auto& visit) {
-    const std::size_t x = p % width, y = p / width;
-    if (x > 0) visit(p - 1);
-    if (x + 1 < width) visit(p + 1);
-    if (y > 0) visit(p - width);
-    if (y + 1 < std::size_t(sketch.height)) visit(p + width);
-  };
+  for (const std::size_t p : pixels) {
+    open[p] = 1;
+    if (sketch.state[p] != Sketch::nothing) inside.push_back(p);
+  }
   // From the border inward, pixel by pixel.
-  std::vector<std::uint8_t> open = mask.in;
   std::vector<std::size_t> todo = inside, ring;
   while (!todo.empty()) {
     ring.clear();
     for (const std::size_t p : todo) {
       std::size_t from = p;
-      each_beside(p, [&](std::size_t q) {
+      each_beside(sketch, p, [&](std::size_t q) {
         if (!open[q] && sketch.state[q] != Sketch::nothing && sketch.joint[q] == sketch.joint[p])
           from = q;
       });
@@ -271,7 +246,7 @@ void paint_over(const Mesh& mesh, const SurfaceView& view, const std::vector<int
       for (const std::size_t p : inside) {
         std::array<int, 3> sum = {};
         int count = 0;
-        each_beside(p, [&](std::size_t q) {
+        each_beside(sketch, p, [&](std::size_t q) {
           if (sketch.state[q] == Sketch::nothing || sketch.joint[q] != sketch.joint[p]) return;
           for (int k = 0; k < 3; ++k) sum[k] += (*colours)[q][k];
           ++count;
@@ -284,18 +259,25 @@ void paint_over(const Mesh& mesh, const SurfaceView& view, const std::vector<int
 }  // namespace
 
 void keep_details_once(const Mesh& mesh, const FaceNeighbours& neighbours, DrawnSurface& surface) {
-  Finder finder(mesh, neighbours, surface);
+  const double size = bounds(mesh.V).sizes().norm();
+  std::vector<Found> found(surface.sketches.size());
+  for (const SurfaceView& view : surface.views)
+    if (!view.mirrored)
+      found[view.sketch].details = drawn_details(surface.sketches[view.sketch],
+                                                 kLargest * size * view.camera.pixels_per_unit(0),
+                                                 kStep * size, found[view.sketch].label);
   std::vector<std::vector<Detail>> all;  // each as the views show it
   std::vector<Detail> known;             // the first of each
   for (int view = 0; view < int(surface.views.size()); ++view) {
-    std::vector<Detail> found = finder.details(view);
-    const Match match(known, found, surface, kAstray * finder.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
+    std::vector<Detail> here =
+        details_in(mesh, surface, view, found[surface.views[view].sketch], size);
+    const Match match(known, here, surface, size);
+    for (std::size_t i = 0; i < here.size(); ++i) {
       if (const int k = match.of(i); k >= 0) {
-        all[k].push_back(std::move(found[i]));
+        all[k].push_back(std::move(here[i]));
       } else {
-        known.push_back(found[i]);
-        all.push_back({std::move(found[i])});
+        known.push_back(here[i]);
+        all.push_back({std::move(here[i])});
       }
     }
   }
@@ -306,12 +288,14 @@ void keep_details_once(const Mesh& mesh, const FaceNeighbours& neighbours, Drawn
     for (const Detail& one : same) {
       if (one.view == kept->view) continue;
       SurfaceView& view = surface.views[one.view];
-      const std::vector<int> astray = with_rings(one.faces, neighbours);
       // A mirror image has no pixels of its own: painting over it would take away the original.
-      if (view.mirrored)
-        for (const int f : astray) view.quality[f] = 0;
-      else
-        paint_over(mesh, view, astray, surface.sketches[view.sketch]);
+      if (view.mirrored) {
+        for (const int f : with_rings(one.faces, neighbours)) view.quality[f] = 0;
+      } else {
+        Sketch& sketch = surface.sketches[view.sketch];
+        const int steps = int(kAway * size * view.camera.pixels_per_unit(0) + 0.5);
+        paint_over(grown(sketch, one.drawn->pixels, steps), sketch);
+      }
       for (const int f : place) view.quality[f] = 0;
     }
   }

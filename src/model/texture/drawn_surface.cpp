@@ -203,6 +203,15 @@ std::optional<Rgb> SurfaceView::colour(const std::vector<Sketch>& sketches, cons
                   (*holders)[face]);
 }
 
+Ray SurfaceView::ray(const Vec2& pixel, int joint) const {
+  const Ray world = camera.ray(pixel);
+  Ray rest{to_rest[joint] * world.origin, to_rest[joint].linear() * world.direction};
+  if (!mirrored) return rest;
+  rest.origin.x() = 2 * middle - rest.origin.x();
+  rest.direction.x() = -rest.direction.x();
+  return rest;
+}
+
 Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const Image> drawings,
                                    const Model& model, Run& run) {
   DrawnSurface out;
@@ -241,6 +250,10 @@ Result<DrawnSurface> drawn_surface(const Document& calibrated, std::span<const I
     view.sketch = i;
     view.reach = kReach * pixel;
     view.holders = holders;
+    view.camera = camera;
+    view.middle = model.skeleton.joints[0].offset.x();
+    for (const Transform& to_world : skinning_transforms(model.skeleton, frame.pose))
+      view.to_rest.push_back(to_world.inverse());
     project(V, camera, view);
     const bool perspective = camera.camera.type == Camera::Type::perspective;
     Sketch& sketch = out.sketches[i];

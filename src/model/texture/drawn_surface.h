@@ -63,12 +63,17 @@ struct SurfaceView {
   double reach = 0;           // units: how far from the drawn surface still counts as on it
   // #F: whose pixels show the triangle: its own joints, or their mirror images.
   std::shared_ptr<const std::vector<Holders>> holders;
+  FrameCamera camera;
+  std::vector<Transform> to_rest;  // by joint: from where the drawing has it
+  double middle = 0;               // x of the plane that mirror images are reflected in
   // #F: how squarely and finely the drawing shows the triangle, 0 … 1; 0 where it can't be used:
   // another part hides it, or it faces away.
   std::vector<float> quality;
 
   std::optional<Rgb> colour(const std::vector<Sketch>& sketches, const Triangles& F, int face,
                             const Vec3& weights) const;
+  // Ray through a pixel of the sketch, in the rest space of the joint drawn there (or reflected).
+  Ray ray(const Vec2& pixel, int joint) const;
 };
 
 struct DrawnSurface {

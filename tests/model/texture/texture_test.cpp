@@ -228,37 +228,79 @@ TEST(Texture, SoftEdgesOfInkGoWithIt) {
   EXPECT_EQ(darker, 0);
 }
 
+// A red disc, as a ball's drawing, with a blue spot wherever a place of the ball is blue.
+template <class Blue>
+Image spotted(const Blue& blue) {
+  Image drawing = disc(kRed);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const Vec2 p = (Vec2(x + 0.5, y + 0.5) - Vec2::Constant(kSize / 2.0)) / kScale;
+      const double front = 1 - p.squaredNorm();
+      if (front < 0 || !blue(Vec3(p.x(), -p.y(), std::sqrt(front)))) continue;
+      std::uint8_t* c = drawing.at(x, y);
+      c[0] = kBlue.r, c[1] = kBlue.g, c[2] = kBlue.b;
+    }
+  return drawing;
+}
+constexpr double kSpot = 0.13;  // radians
+bool within_spot(const Vec3& place, double azimuth) {
+  return place.dot(Vec3(std::sin(radians(azimuth)), 0, std::cos(radians(azimuth)))) >=
+         std::cos(kSpot);
+}
+// How many vertices are blue near a place of the equator.
+int blue_at(const Model& model, double azimuth) {
+  int blue = 0;
+  for (int v = 0; v < model.mesh.V.rows(); ++v)
+    blue += within_spot(model.mesh.V.row(v).normalized().transpose(), azimuth) &&
+            is(texel(model, v), kBlue, 60);
+  return blue;
+}
+
 // Two drawings of a ball with one dark spot, which the second has 17° from where the first has it:
 // as where a model's depth is a little off.
 TEST(Texture, ADetailIsPaintedOnce) {
-  constexpr double kSpot = 0.13;  // radians
   const Model plain = ball();
   const auto with_spot = [](double azimuth) {
-    const Vec3 towards(std::sin(radians(azimuth)), 0, std::cos(radians(azimuth)));
-    Image drawing = disc(kRed);
-    for (int y = 0; y < kSize; ++y)
-      for (int x = 0; x < kSize; ++x) {
-        const Vec2 p = (Vec2(x + 0.5, y + 0.5) - Vec2::Constant(kSize / 2.0)) / kScale;
-        const double front = 1 - p.squaredNorm();
-        if (front < 0 || Vec3(p.x(), -p.y(), std::sqrt(front)).dot(towards) < std::cos(kSpot))
-          continue;
-        std::uint8_t* c = drawing.at(x, y);
-        c[0] = kBlue.r, c[1] = kBlue.g, c[2] = kBlue.b;
-      }
-    return drawing;
+    return spotted([&](const Vec3& place) { return within_spot(place, azimuth); });
   };
   const double turn = -75;
   const Model model =
       painted(document_of(plain.skeleton, {0, turn}), {with_spot(57), with_spot(74 + turn)}, plain);
-  int first = 0, second = 0;
-  for (int v = 0; v < model.mesh.V.rows(); ++v) {
-    const double azimuth = degrees(std::atan2(model.mesh.V(v, 0), model.mesh.V(v, 2)));
-    if (!is(texel(model, v), kBlue, 60) || std::abs(model.mesh.V(v, 1)) > kSpot) continue;
-    if (std::abs(azimuth - 57) < 5) ++first;
-    if (std::abs(azimuth - 74) < 5) ++second;
-  }
+  const int first = blue_at(model, 57), second = blue_at(model, 74);
   EXPECT_GT(std::max(first, second), 5);
   EXPECT_EQ(std::min(first, second), 0);
+}
+
+// An eye lies in a hollow that no outline shows: drawings from the front and from the side lay it
+// on places that only one of them sees, and their rays meet where it is.
+TEST(Texture, ADetailInAHollowIsPaintedOnce) {
+  const Model plain = ball();
+  constexpr double kDeep = 0.42;  // x and z of the eye
+  const double front = degrees(std::asin(kDeep)), side = 90 - front;
+  const auto with_spot = [](double azimuth) {
+    return spotted([&](const Vec3& place) { return within_spot(place, azimuth); });
+  };
+  const Model model = painted(document_of(plain.skeleton, {0, -90}),
+                              {with_spot(front), with_spot(side - 90)}, plain);
+  EXPECT_GT(blue_at(model, front), 5);
+  EXPECT_EQ(blue_at(model, side), 0);
+}
+
+// Spots round a ball are as many as they are, though each drawing shows one beside where the other
+// shows another.
+TEST(Texture, DetailsThatAreAlikeAllStay) {
+  const Model plain = ball();
+  constexpr int kSpots = 12;
+  const auto all = [](double turn) {
+    return spotted([&](const Vec3& place) {
+      for (int i = 0; i < kSpots; ++i)
+        if (within_spot(place, 360.0 * i / kSpots + turn)) return true;
+      return false;
+    });
+  };
+  const Model model = painted(document_of(plain.skeleton, {0, -90}), {all(0), all(-90)}, plain);
+  for (const double azimuth : {-30, 0, 30, 60, 90, 120})
+    EXPECT_GT(blue_at(model, azimuth), 5) << azimuth;
 }
 
 // The model may reach a few pixels beyond the figure, onto paper that isn't transparent.
