@@ -44,10 +44,24 @@ class WordTable {
   std::string translated(const std::string& english, std::vector<std::string>& missing) const;
 
  private:
+  // A text taken apart: pieces[0] slots[0] pieces[1] … pieces.back().
+  struct Pattern {
+    struct Slot {
+      char kind = ' ', digit = '0';  // kind: '#' a number, '+' words, else as it is
+      bool operator==(const Slot&) const = default;
+    };
+    std::vector<std::string> pieces{""};
+    std::vector<Slot> slots;
+  };
+  struct Sentence {
+    Pattern english, words;
+  };
+  struct Reading;  // of patterns, and of texts by them
+
   const Entry* whole(const std::string& english) const;
 
-  std::vector<Entry> entries_;  // sorted by their English
-  std::vector<int> sentences_;  // entries with {…}, those with the most letters of their own first
+  std::vector<Entry> entries_;       // sorted by their English
+  std::vector<Sentence> sentences_;  // entries with {…}, most letters of their own first
 };
 
 // The language of the frame that is being drawn.
