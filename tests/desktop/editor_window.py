@@ -70,6 +70,13 @@ class Window:
             return [w for w in self.widgets() if w["label"] == label]
         return self.wait(named, f"the control {label!r}")[0]
 
+    def labels(self):
+        return {w["label"] for w in self.widgets()}
+
+    def middle(self, label):
+        w = self.control(label)
+        return [w["x"] + w["width"] / 2, w["y"] + w["height"] / 2]
+
     def has(self, label):
         """Waits for a control or words of that name; they need not be enabled."""
         self.control(label)
@@ -103,9 +110,8 @@ class Window:
         self.wait(tried, why)
 
     def point_at(self, label):
-        w = self.control(label)
-        assert w["enabled"], f"{label} is not enabled"
-        self.x("mousemove", round(w["x"] + w["width"] / 2), round(w["y"] + w["height"] / 2))
+        assert self.control(label)["enabled"], f"{label} is not enabled"
+        self.x("mousemove", *map(round, self.middle(label)))
 
     def drag(self, points):
         self.x("mousemove", *map(round, points[0]))

@@ -6,10 +6,6 @@ import pathlib, subprocess
 from editor_window import Window, examples, pictures, run
 
 
-def labels(window):
-    return [w["label"] for w in window.widgets()]
-
-
 def figures_are_picked_on_a_sheet():
     sheet, front = pictures / "walk.png", str(examples / "hero/front.png")
     subprocess.run(["convert", front, front, front, "+append", "-resize", "40%", "-gravity", "north",
@@ -53,7 +49,7 @@ def each_mode_says_what_one_does():
             window.has("Got it")
             window.picture(f"hints-{mode.lower()}-{size}")
             window.click("Got it")
-            window.wait(lambda: "Got it" not in labels(window), why="the card put away")
+            window.wait(lambda: "Got it" not in window.labels(), why="the card put away")
         window.click("Shortcuts")
         window.has("How this mode works")
         window.picture(f"shortcuts-{size}")
@@ -89,7 +85,7 @@ def clips_and_sizes_are_chosen_to_export():
     window.click("clip 1")
     window.wait(lambda: not window.control("clip 1")["active"], why="the clip left out")
     window.click("Format Sprites")
-    window.wait(lambda: any(label.startswith("Export ") and label.endswith(".zip") for label in labels(window)),
+    window.wait(lambda: any(label.startswith("Export ") and label.endswith(".zip") for label in window.labels()),
                 why="the sheet of sprites")
     window.picture("export-sprites")
     window.click("Format GLB")

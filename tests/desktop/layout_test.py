@@ -8,11 +8,6 @@ def place(window, label):
     return [w["x"], w["y"], w["width"], w["height"]]
 
 
-def middle(window, label):
-    x, y, width, height = place(window, label)
-    return [x + width / 2, y + height / 2]
-
-
 def is_large(window):
     width, height = place(window, "Turn the model")[2:]
     return width > 700 and height > 500
@@ -22,16 +17,16 @@ def panels_are_as_wide_as_they_are_dragged():
     window = Window("1440x900", examples / "hero/hero.artisketch")
     for edge, way, axis in [("Model edge", [-120, 0], 0), ("Inspector edge", [-60, 0], 0),
                             ("Strip edge", [0, -50], 1)]:
-        x, y = middle(window, edge)
+        x, y = window.middle(edge)
         window.drag([[x, y], [x + way[0] / 2, y + way[1] / 2], [x + way[0], y + way[1]]])
-        moved = middle(window, edge)
+        moved = window.middle(edge)
         assert abs(moved[axis] - [x, y][axis] - way[axis]) < 8, (edge, [x, y], moved)
     window.picture("split")
     # As far as it goes, both sides stay usable.
-    x, y = middle(window, "Model edge")
+    x, y = window.middle("Model edge")
     window.drag([[x, y], [600, y], [10, y]])
     assert place(window, "Model edge")[0] > 240
-    x, y = middle(window, "Model edge")
+    x, y = window.middle("Model edge")
     window.double_click(
         x, y, lambda: abs(place(window, "Inspector edge")[0] - place(window, "Model edge")[0] - 396) < 2,
         "the usual width")
@@ -47,11 +42,11 @@ def on_tablets_model_and_drawing_change_places():
     window.click("Enlarge the drawing")
     window.wait(lambda: not is_large(window), why="the small model")
     # A drag there turns the model and leaves it where it is.
-    x, y = middle(window, "Turn the model")
+    x, y = window.middle("Turn the model")
     window.drag([[x, y], [x + 30, y], [x + 60, y]])
     assert place(window, "Turn the model")[2] < 300
     window.click("Outline mode")
-    x, y = middle(window, "Parts sheet")
+    x, y = window.middle("Parts sheet")
     assert not any(w["label"] == "Hand R in 2" for w in window.widgets())
     window.drag([[x, y], [x, y - 40], [x, y - 90]])
     window.control("Hand R in 2")

@@ -15,15 +15,6 @@ def click(window, place):
     window.x("click", 1)
 
 
-def middle(window, label):
-    w = window.control(label)
-    return [w["x"] + w["width"] / 2, w["y"] + w["height"] / 2]
-
-
-def labels(window):
-    return {w["label"] for w in window.widgets()}
-
-
 def undo_is(window, words):
     window.wait(lambda: window.state()["undo"] == words, why=f"'{words}' to undo")
 
@@ -31,7 +22,7 @@ def undo_is(window, words):
 def cell_says(window, label, words):
     """The words of a part in a drawing stand in the inspector once its mark is clicked."""
     window.click(label)
-    window.wait(lambda: words in labels(window), why=f"{words!r} at {label}")
+    window.wait(lambda: words in window.labels(), why=f"{words!r} at {label}")
 
 
 def hand_of(path):
@@ -55,7 +46,7 @@ def moves_adds_and_redraws_points():
     low = max(before, key=lambda p: p[1])
     point = at(window, *low)
     click(window, point)  # chooses the outline
-    window.wait(lambda: "Redraw" in labels(window), why="the outline's buttons")
+    window.wait(lambda: "Redraw" in window.labels(), why="the outline's buttons")
     time.sleep(0.4)  # not a double click
     window.drag([point, [point[0] + 2, point[1] + 6], [point[0] + 4, point[1] + 12]])
     undo_is(window, "Move point")
@@ -96,16 +87,16 @@ def outlines_and_names_on_a_tablet():
     window.click("Draw tool")
     x, y = at(window, 250, 330)
     window.drag([(x + 40 * math.cos(t / 5), y + 40 * math.sin(t / 5)) for t in range(32)])
-    window.wait(lambda: "Keep" in labels(window), why="the new outline")
+    window.wait(lambda: "Keep" in window.labels(), why="the new outline")
     window.picture("tablet-new-outline")
     window.click("Keep")
     window.wait(lambda: window.state()["undo"].startswith("Draw "), why="the outline")
-    window.wait(lambda: {"Redraw", "Other joint", "Join"} <= labels(window), why="its buttons")
+    window.wait(lambda: {"Redraw", "Other joint", "Join"} <= window.labels(), why="its buttons")
     window.picture("tablet-outline")
     window.key("ctrl+z")
     window.click("Skeleton mode")
-    click(window, middle(window, "Joint Hand L"))
-    window.wait(lambda: "Joint name" in labels(window), why="the joint's name")
+    click(window, window.middle("Joint Hand L"))
+    window.wait(lambda: "Joint name" in window.labels(), why="the joint's name")
     window.picture("tablet-skeleton")
     window.click("Joint name")
     window.key("ctrl+a")
@@ -146,16 +137,16 @@ def says_that_a_part_inside_others_shows_no_edge():
     window = Window("1440x900", examples / "hero/hero.artisketch")
     window.click("Forearm R in 2")
     words = "Inside other parts: no edge to compare"
-    assert words not in labels(window), "its edge shows in front of the body"
+    assert words not in window.labels(), "its edge shows in front of the body"
     for _ in range(8):
         window.key("bracketleft")
     cell_says(window, "Forearm R in 2", words)
     window.picture("inside")
     window.key("3")
-    window.wait(lambda: "1 part lies inside others: no edge to compare." in labels(window),
+    window.wait(lambda: "1 part lies inside others: no edge to compare." in window.labels(),
                 why="the words")
-    assert not any(w.startswith("Off Forearm R ") for w in labels(window))
-    assert any(w.startswith("Off Forearm L ") for w in labels(window))
+    assert not any(w.startswith("Off Forearm R ") for w in window.labels())
+    assert any(w.startswith("Off Forearm L ") for w in window.labels())
     window.picture("inside-pose")
     window.close()
 
@@ -173,13 +164,13 @@ def traces_and_cuts():
     window.wait(lambda: "paper" in window.state()["message"], why="what to do about paper")
     body = at(window, 285, 600)
     click(window, body)
-    window.wait(lambda: "Tolerance" in labels(window), why="the traced outline")
+    window.wait(lambda: "Tolerance" in window.labels(), why="the traced outline")
     window.picture("trace-part")
     window.key("Escape")
-    window.wait(lambda: "Tolerance" not in labels(window), why="Esc to let it go")
+    window.wait(lambda: "Tolerance" not in window.labels(), why="Esc to let it go")
     # All the way to the right takes in the whole figure.
     window.drag([body, [body[0] + 90, body[1]], [body[0] + 260, body[1]]])
-    window.wait(lambda: "Tolerance" in labels(window), why="the whole figure")
+    window.wait(lambda: "Tolerance" in window.labels(), why="the whole figure")
     window.picture("trace-all")
     window.key("Tab")
     window.key("Return")
@@ -206,8 +197,8 @@ def gives_outlines_to_parts():
     click(window, corners[3])
     window.picture("points")
     click(window, corners[0])
-    window.wait(lambda: "Redraw" in labels(window), why="the new outline")
-    assert any(label.startswith("Assign ") for label in labels(window))
+    window.wait(lambda: "Redraw" in window.labels(), why="the new outline")
+    assert any(label.startswith("Assign ") for label in window.labels())
     window.click("Other joint")
     window.click("Foot L")
     window.key("Return")
@@ -229,15 +220,15 @@ def ring(window, low, high):
     corners = [low, (high[0], low[1]), high, (low[0], high[1]), low]
     for corner in corners:
         click(window, at(window, *corner))
-    window.wait(lambda: "Redraw" in labels(window), why="the new outline")
+    window.wait(lambda: "Redraw" in window.labels(), why="the new outline")
 
 
 def joins_copies_and_picks_joints():
     window = Window("1440x900", examples / "hero" / "hero.artisketch")
     window.wait(lambda: window.state()["frames"] == 3, why="the drawings")
     window.key("3")
-    window.wait(lambda: "Joint Foot L" in labels(window), why="the joints")
-    foot = middle(window, "Joint Foot L")  # there in every mode
+    window.wait(lambda: "Joint Foot L" in window.labels(), why="the joints")
+    foot = window.middle("Joint Foot L")  # there in every mode
     window.key("1")
     ring(window, (60, 60), (140, 140))
     window.click("Other joint")
@@ -259,9 +250,9 @@ def joins_copies_and_picks_joints():
     undo_is(window, "Delete point")
     window.picture("joined")
     window.click("Copy to tool")
-    window.wait(lambda: "Copy to Side" in labels(window), why="the drawings to choose from")
+    window.wait(lambda: "Copy to Side" in window.labels(), why="the drawings to choose from")
     window.click("Copy to Side")
-    window.wait(lambda: "Keep both" in labels(window), why="the question")
+    window.wait(lambda: "Keep both" in window.labels(), why="the question")
     window.picture("copy-question")
     window.click("Keep both")
     undo_is(window, "Copy Foot L")
@@ -273,21 +264,21 @@ def offers_what_can_be_done_to_an_outline_or_joint():
     window = Window("1440x900", examples / "hero" / "hero.artisketch")
     window.wait(lambda: window.state()["frames"] == 3, why="the drawings")
     window.key("1")
-    window.wait(lambda: "Edit tool" in labels(window), why="Outline")
+    window.wait(lambda: "Edit tool" in window.labels(), why="Outline")
     nose = at(window, 320, 260)  # within the head alone
     window.x("mousemove", *map(round, nose))
     window.x("click", 3)
-    window.wait(lambda: "Delete" in labels(window), why="the menu")
-    assert "Copy to" in labels(window) and "Mirror" not in labels(window)  # the head has no other side
+    window.wait(lambda: "Delete" in window.labels(), why="the menu")
+    assert "Copy to" in window.labels() and "Mirror" not in window.labels()  # the head has no other side
     window.picture("outline-menu")
     window.click("Delete")
     undo_is(window, "Delete Head")
-    window.wait(lambda: "Delete" not in labels(window), why="the menu's end")
+    window.wait(lambda: "Delete" not in window.labels(), why="the menu's end")
     window.key("3")
-    window.wait(lambda: "Joint Hand L" in labels(window), why="the joints")
+    window.wait(lambda: "Joint Hand L" in window.labels(), why="the joints")
     window.point_at("Joint Hand L")
     window.x("click", 3)
-    window.wait(lambda: "Lock" in labels(window), why="the joint's menu")
+    window.wait(lambda: "Lock" in window.labels(), why="the joint's menu")
     window.click("Lock")
     undo_is(window, "Lock Hand L")
     window.close()
@@ -298,13 +289,13 @@ def mends_a_crossing():
     window.key("p")
     for p in ((80, 80), (220, 220), (220, 80), (80, 220), (80, 80)):
         click(window, at(window, *p))
-    window.wait(lambda: "Mend new" in labels(window), why="the ring")
+    window.wait(lambda: "Mend new" in window.labels(), why="the ring")
     window.picture("crosses-itself")
     window.click("Mend new")
-    window.wait(lambda: "Mend new" not in labels(window), why="the outline mended")
+    window.wait(lambda: "Mend new" not in window.labels(), why="the outline mended")
     window.key("Return")
     window.wait(lambda: window.state()["undo"].startswith("Draw "), why="the outline")
-    assert not any(label.startswith("Mend ") for label in labels(window))
+    assert not any(label.startswith("Mend ") for label in window.labels())
     window.close()
 
 
@@ -317,10 +308,10 @@ def builds_a_skeleton():
     window.picture("quadruped")
     window.click("Template Blank")
     window.wait(lambda: window.state()["joints"] == ["root"], why="one joint")
-    root = middle(window, "Joint Root")
+    root = window.middle("Joint Root")
     window.drag([root, [root[0] + 5, root[1] + 5], [root[0] + 20, root[1]]])
     undo_is(window, "Move body")
-    root = middle(window, "Joint Root")
+    root = window.middle("Joint Root")
     click(window, [root[0] + 140, root[1] - 60])
     undo_is(window, "Add joint")
     assert window.state()["joints"] == ["root", "joint.L", "joint.R"], window.state()["joints"]
@@ -352,18 +343,18 @@ def takes_drawings_in():
     window.close()
 
     window = Window("1440x900", sheet)
-    window.wait(lambda: "Cut it up" in labels(window), why="the question")
+    window.wait(lambda: "Cut it up" in window.labels(), why="the question")
     window.picture("sheet")
     window.click("Cut it up")
     window.wait(lambda: window.state()["frames"] == 3, why="three drawings")
     undo_is(window, "Add 3 drawings")
-    first, last = middle(window, "Drawing card 1"), middle(window, "Drawing card 3")
+    first, last = window.middle("Drawing card 1"), window.middle("Drawing card 3")
     window.drag([first, [first[0] + 60, first[1]], [last[0] - 40, last[1]], last])
     undo_is(window, "Move drawing")
     assert window.state()["frame"] == 2
     window.x("mousemove", *map(round, first))
     window.x("click", 3)
-    window.wait(lambda: "Duplicate drawing" in labels(window), why="the menu")
+    window.wait(lambda: "Duplicate drawing" in window.labels(), why="the menu")
     window.click("Duplicate drawing")
     window.wait(lambda: window.state()["frames"] == 4, why="the copy")
     window.click("Orthographic")

@@ -16,14 +16,9 @@ def in_pose(frame=1, size="1440x900"):
     return window
 
 
-def middle(window, label):
-    w = window.control(label)
-    return [w["x"] + w["width"] / 2, w["y"] + w["height"] / 2]
-
-
 def joint(window, name):
     """Where a joint of the drawing stands in the window."""
-    return middle(window, "Joint " + name)
+    return window.middle("Joint " + name)
 
 
 def near(a, b, points):
@@ -48,7 +43,7 @@ def drags_a_limb():
 def turns_twists_flips_and_locks():
     window = in_pose()
     hand, head = joint(window, "Hand R"), joint(window, "Head")
-    x, y = middle(window, "Turn the body")
+    x, y = window.middle("Turn the body")
     window.drag([[x, y], [x + 8, y], [x + 25, y]])
     window.wait(lambda: not near(joint(window, "Hand R"), hand, 2), why="the turned body")
     assert abs(joint(window, "Head")[1] - head[1]) < 6, "it turned about the upright"
@@ -72,7 +67,7 @@ def changes_depth_from_the_side_and_copies():
     window = in_pose()
     side = window.control("From the side")
     hand = joint(window, "Hand L")
-    at = middle(window, "Hand L from the side")
+    at = window.middle("Hand L from the side")
     assert side["x"] < at[0] < side["x"] + side["width"]
     window.drag([at, [at[0] - 5, at[1]], [at[0] - 14, at[1]]])
     window.wait(lambda: window.state()["undo"] == "Depth of Hand L", why="the depth")
@@ -183,7 +178,7 @@ def in_result(name="heart"):
 
 def sets_keys_and_moves_them():
     window = in_result("hero")
-    hand = middle(window, "Pose Hand L")
+    hand = window.middle("Pose Hand L")
     window.drag([hand, [hand[0] + 10, hand[1] - 10], [hand[0] + 20, hand[1] - 60]])
     window.picture("result-posed")
     window.key("i")
@@ -191,15 +186,15 @@ def sets_keys_and_moves_them():
     scale = window.control("Playhead")
     window.x("mousemove", round(scale["x"] + scale["width"] * 0.4), round(scale["y"] + 6))
     window.x("click", 1)
-    hand = middle(window, "Pose Hand R")
+    hand = window.middle("Pose Hand R")
     window.drag([hand, [hand[0] - 10, hand[1] - 10], [hand[0] - 20, hand[1] - 60]])
     window.key("i")
     window.wait(lambda: window.state()["undo"] == "Set key of clip 1", why="the key")
     window.picture("result-keys")
-    x, y = middle(window, "Key 2 of clip 1")
+    x, y = window.middle("Key 2 of clip 1")
     window.drag([[x, y], [x - 20, y], [x - 80, y]])
     window.wait(lambda: window.state()["undo"] == "Move key of clip 1", why="the moved key")
-    window.wait(lambda: middle(window, "Key 2 of clip 1")[0] < x - 20, "its new time")
+    window.wait(lambda: window.middle("Key 2 of clip 1")[0] < x - 20, "its new time")
     window.key("Delete")
     window.wait(lambda: window.state()["undo"] == "Delete key of clip 1", why="the deleted key")
     assert not any(w["label"] == "Key 2 of clip 1" for w in window.widgets())
@@ -224,14 +219,14 @@ def shapes_joints_and_fatness():
     window.key("j")
     window.wait(lambda: any(w["label"] == "Sphere Head" for w in window.widgets()), why="spheres")
     window.picture("result-joints")
-    x, y = middle(window, "Sphere rim Forearm L")
+    x, y = window.middle("Sphere rim Forearm L")
     window.drag([[x, y], [x + 4, y], [x + 14, y]])
     window.wait(lambda: window.state()["undo"] == "Joint of Forearm L", why="the sphere")
-    window.wait(lambda: middle(window, "Sphere rim Forearm L")[0] > x + 5, "the larger sphere")
+    window.wait(lambda: window.middle("Sphere rim Forearm L")[0] > x + 5, "the larger sphere")
     window.key("w")
     window.wait(lambda: any(w["label"] == "Fatness of Head" for w in window.widgets()),
                 why="the parts")
-    x, y = middle(window, "Fatness of Hips")
+    x, y = window.middle("Fatness of Hips")
     window.drag([[x, y], [x + 20, y], [x + 100, y]])
     window.wait(lambda: window.state()["undo"] == "Fatness of Hips", why="the fatness")
     window.wait(lambda: window.state()["liveParts"] == 15, why="the parts")
