@@ -182,6 +182,19 @@ TEST_F(Files, OpenAsksTheDialog) {
   EXPECT_TRUE(h.platform.files.contains("/a/circles")) << "it goes back where it came from";
 }
 
+TEST_F(Files, OpenAsksOnceAboutUnsavedWorkAndOnlyForADocument) {
+  edit();
+  begin();
+  h.key(ImGuiKey_O, ImGuiMod_Ctrl);  // and the dialog is cancelled
+  expect_nothing_happened();
+  h.platform.to_open.push_back(
+      std::vector<NamedBytes>{{"circles.artisketch", example_document("circles"), "/a/circles"}});
+  h.key(ImGuiKey_O, ImGuiMod_Ctrl);
+  h.click("Don't save");
+  EXPECT_EQ(h.find("Don't save"), nullptr);
+  EXPECT_EQ(h.document().name, "circles");
+}
+
 TEST_F(Files, ACancelledDialogChangesNothing) {
   h.key(ImGuiKey_O, ImGuiMod_Ctrl);
   expect_nothing_happened();

@@ -82,4 +82,15 @@ inline double turned(const Harness& h, const Document& before, const std::string
       before.frames[f].pose.rotations[j]);
 }
 
+// A motion (BVH): an arm is lifted.
+inline std::string waving() {
+  const std::string joint = "CHANNELS 3 Zrotation Xrotation Yrotation\n";
+  return "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition "
+         "Zrotation "
+         "Xrotation Yrotation\nJOINT LeftArm\n{\nOFFSET 20 50 0\n" +
+         joint + "JOINT LeftForeArm\n{\nOFFSET 30 0 0\n" + joint +
+         "End Site\n{\nOFFSET 25 0 0\n}\n}\n}\n}\nMOTION\nFrames: 3\nFrame Time: 0.5\n"
+         "0 90 0 0 0 0 0 0 0 0 0 0\n0 90 0 0 0 0 45 0 0 0 0 0\n0 90 0 0 0 0 80 0 0 0 0 0\n";
+}
+
 }  // namespace artisketch

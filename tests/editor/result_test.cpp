@@ -141,22 +141,25 @@ TEST_F(ResultMode, AClipOfTheLibraryIsPlayedAtOnceAndKeyed) {
 }
 
 TEST_F(ResultMode, AMotionDroppedOnTheWindowBecomesAClip) {
-  const std::string joint = "CHANNELS 3 Zrotation Xrotation Yrotation\n";
-  const std::string wave =
-      "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation "
-      "Xrotation Yrotation\nJOINT LeftArm\n{\nOFFSET 20 50 0\n" +
-      joint + "JOINT LeftForeArm\n{\nOFFSET 30 0 0\n" + joint +
-      "End Site\n{\nOFFSET 25 0 0\n}\n}\n}\n}\nMOTION\nFrames: 3\nFrame Time: 0.5\n"
-      "0 90 0 0 0 0 0 0 0 0 0 0\n0 90 0 0 0 0 45 0 0 0 0 0\n0 90 0 0 0 0 80 0 0 0 0 0\n";
-  h.open("hello.bvh", wave);
+  h.open("hello.bvh", waving());
   ASSERT_EQ(h.document().animations.size(), 1u);
   EXPECT_EQ(h.document().animations[0].name, "hello");
   EXPECT_EQ(h.document().animations[0].keys.size(), 3u);
   EXPECT_TRUE(h.active("Clip hello"));
   expect_step("Add hello");
   begin();
-  h.open("broken.bvh", wave.substr(0, 200));
+  h.open("broken.bvh", waving().substr(0, 200));
   expect_nothing_happened();
+}
+
+TEST_F(ResultMode, AMotionIsOpenedIntoUnsavedWorkWithoutAQuestion) {
+  h.key(ImGuiKey_1);
+  h.click("Hand R in 1");
+  h.key(ImGuiKey_Delete);
+  h.platform.to_open.push_back(std::vector<NamedBytes>{{"hello.bvh", waving(), ""}});
+  h.key(ImGuiKey_O, ImGuiMod_Ctrl);
+  EXPECT_EQ(h.find("Don't save"), nullptr) << "nothing of it is lost";
+  EXPECT_EQ(h.document().animations.size(), 1u);
 }
 
 TEST_F(ResultMode, WhatAMotionMovesIsListedAndChanged) {

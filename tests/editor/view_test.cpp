@@ -27,6 +27,26 @@ TEST_F(Looking, TheModesHaveKeysAndButtons) {
   }
 }
 
+TEST_F(Looking, EscapeClosesAMenuAndNothingElse) {
+  h.key(ImGuiKey_1);
+  h.click("Hand R in 1");
+  for (const auto& [opener, line] :
+       {std::pair("Menu", "Menu New"), std::pair("Drawing card 1", "Crop by hand")}) {
+    if (opener == std::string("Menu"))
+      h.click(opener);
+    else
+      h.right_click(opener);
+    h.frames(2);
+    ASSERT_NE(h.find(line), nullptr) << line;
+    h.key(ImGuiKey_3);  // is the menu's
+    h.key(ImGuiKey_Escape);
+    h.frames(2);
+    EXPECT_EQ(h.find(line), nullptr) << line;
+    EXPECT_EQ(h.state().mode, "outline");
+    EXPECT_TRUE(h.enabled("Mirror tool")) << "what was chosen still is";
+  }
+}
+
 TEST_F(Looking, CommaAndPeriodGoRoundTheDrawings) {
   h.key(ImGuiKey_Period);
   EXPECT_EQ(h.state().frame, 1);

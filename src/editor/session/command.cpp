@@ -83,7 +83,9 @@ void perform(App& app, std::string_view id) {
 std::vector<std::string_view> pressed_commands(const App& app) {
   std::vector<std::string_view> ids;
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput) return ids;
+  if (io.WantTextInput ||
+      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+    return ids;
   const bool ctrl = io.KeyCtrl || io.KeySuper;
   for (const Command& row : app.commands)
     if (in_its_mode(app, row) && !(row.is_tool && app.view.welcome) &&

@@ -53,7 +53,8 @@ inline bool available(const App& app, std::string_view id) {
 // Does it, or says what it lacks.
 void perform(App& app, std::string_view id);
 
-// The commands whose keys went down in this frame. None while a text field has the keyboard.
+// The commands whose keys went down in this frame. None while a text field or an open menu has the
+// keyboard.
 std::vector<std::string_view> pressed_commands(const App& app);
 
 }  // namespace artisketch

@@ -54,7 +54,7 @@ std::vector<Command> file_commands() {
        .icon = icon::kFolderOutline,
        .key = ImGuiKey_O,
        .ctrl = true,
-       .run = [](App& app) { unless_unsaved(app, [&app] { choose_document(app); }); }},
+       .run = choose_document},
       {.id = "save",
        .name = "Save",
        .icon = icon::kContentSave,

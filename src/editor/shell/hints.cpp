@@ -218,12 +218,7 @@ void hints_card(App& app, const Layout& layout) {
   high += picture;
   const Rect place{room.x + (beside ? (room.w - width) / 2 : 0),
                    beside ? room.bottom() - high : room.y, width, high};
-  {
-    const Panel under("Hints shade", place.inset(-8), 0, Panel::Layer::floating);
-    shadow(place, kRadiusPanel);
-  }
-  const Panel panel("Hints", place, t.raised, Panel::Layer::floating, kRadiusPanel);
-  draw().AddRect(place.min(), place.max(), t.line, kRadiusPanel);
+  const FloatingCard card("Hints", place);
   Rect column = place;
   Rect head = column.cut_top(kCardHead).inset(kCardPad, 0);
   const float ok = text_width(Font::body_bold, "Got it") + 24;

@@ -28,6 +28,7 @@ void main_menu(App& app, const Rect& button) {
   const Theme& t = theme();
   ImGui::SetNextWindowPos({button.x, button.bottom() + 4});
   if (!ImGui::BeginPopup("main menu", ImGuiWindowFlags_NoMove)) return;
+  if (ImGui::IsKeyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
   constexpr float kWidth = 248, kRow = 32;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   Rect column{corner.x, corner.y + 6, kWidth, 1000};
@@ -70,11 +71,8 @@ void main_menu(App& app, const Rect& button) {
   const std::vector<Platform::Recent> recents = app.services.platform.recents();
   for (std::size_t i = 0; i < recents.size() && i < 5; ++i)
     if (row(recents[i].name, icon::kHistory, "", true, true)) {
-      const std::string place = recents[i].place;
-      unless_unsaved(app, [&app, place] {
-        app.services.platform.open_recent(
-            place, [&app](auto files) { open_files(app, std::move(files)); });
-      });
+      app.services.platform.open_recent(recents[i].place,
+                                        [&app](auto files) { open_files(app, std::move(files)); });
     }
   if (!recents.empty()) gap();
   command("theme");
@@ -247,14 +245,7 @@ void toasts(App& app, const Layout& layout) {
     bool dismissed = false;
     std::function<void()> act;
     {
-      const Panel under(("Toast shade " + std::to_string(i)).c_str(), place.inset(-8), 0,
-                        Panel::Layer::floating);
-      shadow(place, kRadiusPanel);
-    }
-    {
-      const Panel panel(("Toast " + std::to_string(i)).c_str(), place, t.raised,
-                        Panel::Layer::floating, kRadiusPanel);
-      draw().AddRect(place.min(), place.max(), t.line, kRadiusPanel);
+      const FloatingCard card(("Toast " + std::to_string(i)).c_str(), place);
       Rect row = place.inset(12, 0);
       write_icon({row.x + 8, row.centre().y}, IconSize::small, toast.error ? t.error : t.accent,
                  toast.error ? icon::kAlert : icon::kCheckCircle);

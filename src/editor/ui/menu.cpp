@@ -28,6 +28,7 @@ Menu::Menu(const char* name, bool open) {
 void Menu::begin(bool open) {
   open_ = open;
   if (!open_) return;
+  if (ImGui::IsKeyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {10, 12});  // lines for fingers
   ImGui::Dummy({0, 2});
 }

@@ -109,6 +109,23 @@ Panel::~Panel() {
   ImGui::PopStyleVar(2);
 }
 
+namespace {
+
+// Gives the card's name back, its shadow painted in a panel that is wider.
+const char* in_shadow(const char* name, const Rect& place) {
+  const Panel under((std::string(name) + " shade").c_str(), place.inset(-8), 0,
+                    Panel::Layer::floating);
+  shadow(place, kRadiusPanel);
+  return name;
+}
+
+}  // namespace
+
+FloatingCard::FloatingCard(const char* name, const Rect& place)
+    : panel_(in_shadow(name, place), place, theme().raised, Panel::Layer::floating, kRadiusPanel) {
+  draw().AddRect(place.min(), place.max(), theme().line, kRadiusPanel);
+}
+
 // ---------------------------------------------------------------- drawing
 
 ImDrawList& draw() {

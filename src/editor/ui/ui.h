@@ -30,6 +30,15 @@ class Panel {
   Panel& operator=(const Panel&) = delete;
 };
 
+// A panel that lies over others, framed, in its shadow, for as long as the object lives.
+class FloatingCard {
+ public:
+  FloatingCard(const char* name, const Rect& place);
+
+ private:
+  Panel panel_;
+};
+
 // ---------------------------------------------------------------- drawing
 
 ImDrawList& draw();  // of the panel under way
