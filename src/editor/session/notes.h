@@ -9,7 +9,10 @@
 namespace artisketch {
 
 // Of the poses that are proposed, where such are, else of the model; in the editor's words.
-std::vector<PlacedWords> notes_of(const App& app);
+struct Note : PlacedWords {
+  std::vector<PlacedWords> follow;  // of the same drawing: gone, perhaps, once this is mended
+};
+std::vector<Note> notes_of(const App& app);
 int count_notes(const App& app);  // for every frame: no words are looked at
 
 // Where drawings show the figure in other sizes: the drawing and the scale that makes up for it.

@@ -90,7 +90,8 @@ std::string trust_in_words(const App& app, int joint) {
   if (!known) return "";
   const UnseenSides& sides = app.session.built->unseen_sides;
   const auto words = [](Trust trust) {
-    return std::string("From sides not drawn: ") + trust_word(trust);
+    return std::string("From sides not drawn: ") +
+           (trust == Trust::guess ? "a guess" : trust_word(trust));
   };
   if (joint < 0) return words(sides.whole);
   for (const PartTrust& part : sides.parts)

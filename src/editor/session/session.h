@@ -233,6 +233,7 @@ struct Session {
   SideDrag side_drag;
   bool notes_shown = false;
   float notes_scroll = 0;             // points
+  std::set<int> notes_unfolded;       // drawings of notes that show what follows from them
   std::optional<int> moving_drawing;  // dragged along the strip
   std::set<int> missing_seen;         // drawings whose missing parts need no more words (tablets)
   std::shared_ptr<BuiltModel> built;

@@ -16,6 +16,7 @@ namespace artisketch {
 namespace {
 
 constexpr float kPad = 12, kHead = 34, kLine = 18, kBetween = 10, kDot = 20, kButton = 28;
+constexpr float kIndent = 20;
 
 // Over the model, or at the foot of the drawing where that is small.
 Rect room_for_notes(const Layout& layout) {
@@ -42,12 +43,65 @@ void go_to(App& app, const PlacedWords& note) {
   if (app.view.mode == Mode::result && note.frame >= 0) app.ask("mode_pose");
 }
 
+// What stands in the list: a note, or the line that unfolds what follows from the one before.
+struct Row {
+  PlacedWords note;
+  float indent = 0;
+  bool unfolds = false;
+};
+
+std::vector<Row> rows_of(const App& app) {
+  std::vector<Row> rows;
+  for (const Note& note : notes_of(app)) {
+    rows.push_back({note});
+    if (note.follow.empty()) continue;
+    const std::string words = std::to_string(note.follow.size()) + " more that may follow from it";
+    rows.push_back({{words, note.frame, -1}, kIndent, true});
+    if (!app.session.notes_unfolded.contains(note.frame)) continue;
+    for (const PlacedWords& one : note.follow) rows.push_back({one, kIndent});
+  }
+  return rows;
+}
+
+void fold_or_unfold(App& app, int frame) {
+  std::set<int>& unfolded = app.session.notes_unfolded;
+  if (unfolded.erase(frame) == 0) unfolded.insert(frame);
+}
+
+// Gives its height.
+float note_row(App& app, const Row& line, Rect place) {
+  const Theme& t = theme();
+  const PlacedWords& note = line.note;
+  place.cut_left(line.indent);
+  const float tall = lines_height(Font::caption, note.words, place.w - kDot, kLine);
+  place.h = tall;
+  const bool leads = line.unfolds || note.frame >= 0 || note.joint >= 0;
+  const bool open = line.unfolds && app.session.notes_unfolded.contains(note.frame);
+  const Press press = press_area(note.words, place, leads, open);
+  if (press.hovered && leads)
+    draw().AddRectFilled(place.inset(-4).min(), place.inset(-4).max(), faded(t.hover, 0.5f),
+                         kRadius);
+  const Rect dot = place.cut_left(kDot);
+  if (line.unfolds)
+    write_icon({dot.x + 6, dot.y + kLine / 2}, IconSize::small, t.muted,
+               open ? icon::kChevronDown : icon::kChevronRight);
+  else
+    draw().AddCircleFilled({dot.x + 6, dot.y + kLine / 2}, 4,
+                           note.joint >= 0 ? joint_tint(note.joint) : t.warning);
+  write_lines(place, Font::caption, line.unfolds ? t.muted : t.text, note.words, kLine);
+  if (press.clicked && line.unfolds)
+    fold_or_unfold(app, note.frame);
+  else if (press.clicked)
+    go_to(app, note);
+  return tall;
+}
+
 }  // namespace
 
 void notes_card(App& app, const Layout& layout) {
   if (!app.session.notes_shown) return;
-  const std::vector<PlacedWords> notes = notes_of(app);
-  if (notes.empty()) {
+  const std::vector<Row> rows = rows_of(app);
+  if (rows.empty()) {
     app.session.notes_shown = false;
     return;
   }
@@ -55,19 +109,14 @@ void notes_card(App& app, const Layout& layout) {
   const Rect room = room_for_notes(layout);
   const float width = room.w - 2 * kPad - kDot;
   float needed = kPad - kBetween;
-  for (const PlacedWords& note : notes)
-    needed += lines_height(Font::caption, note.words, width, kLine) + kBetween;
+  for (const Row& row : rows)
+    needed += lines_height(Font::caption, row.note.words, width - row.indent, kLine) + kBetween;
   const std::vector<ScaleOffer> offers = scale_offers(app);
   const std::vector<int> splits = split_offers(app);
   needed += float(offers.size() + splits.size()) * (kButton + kBetween);
   const float high = std::min(room.h, kHead + needed);
   const Rect place{room.x, room.bottom() - high, room.w, high};
-  {
-    const Panel under("Notes shade", place.inset(-8), 0, Panel::Layer::floating);
-    shadow(place, kRadiusPanel);
-  }
-  const Panel panel("Notes", place, t.raised, Panel::Layer::floating, kRadiusPanel);
-  draw().AddRect(place.min(), place.max(), t.line, kRadiusPanel);
+  const FloatingCard card("Notes", place);
   Rect column = place;
   Rect head = column.cut_top(kHead).inset(kPad, 0);
   Look close;
@@ -100,20 +149,8 @@ void notes_card(App& app, const Layout& layout) {
     }
     y += kButton + kBetween;
   }
-  for (const PlacedWords& note : notes) {
-    const float tall = lines_height(Font::caption, note.words, width, kLine);
-    Rect row{column.x + kPad, y, kDot + width, tall};
-    const bool leads = note.frame >= 0 || note.joint >= 0;
-    const Press press = press_area(note.words, row, leads);
-    if (press.hovered && leads)
-      draw().AddRectFilled(row.inset(-4).min(), row.inset(-4).max(), faded(t.hover, 0.5f), kRadius);
-    const Rect dot = row.cut_left(kDot);
-    draw().AddCircleFilled({dot.x + 6, dot.y + kLine / 2}, 4,
-                           note.joint >= 0 ? joint_tint(note.joint) : t.warning);
-    write_lines(row, Font::caption, t.text, note.words, kLine);
-    if (press.clicked) go_to(app, note);
-    y += tall + kBetween;
-  }
+  for (const Row& row : rows)
+    y += note_row(app, row, {column.x + kPad, y, kDot + width, 0}) + kBetween;
   draw().PopClipRect();
 }
 
