@@ -7,6 +7,7 @@
 #include <SDL.h>
 #include <stdio.h>
 
+#include "editor/ui/words.h"
 #include "files/bytes.h"
 #include "files/document_file.h"
 #include "files/inside_images.h"
@@ -115,8 +116,9 @@ void Desktop::ask(std::string command, std::function<void(std::vector<std::strin
 
 void Desktop::open_files(Kind kind, Opened then) {
   const bool document = kind == Kind::document;
-  const char* patterns = document ? "*.artisketch" : "*.png *.jpg *.jpeg *.PNG *.JPG *.JPEG";
-  const char* title = document ? "Open a document" : "Add drawings";
+  const char* patterns =
+      document ? "*.artisketch *.bvh *.glb" : "*.png *.jpg *.jpeg *.PNG *.JPG *.JPEG";
+  const std::string title = tr(document ? "Open a document" : "Add drawings");
   std::string command;
   if (runs("zenity")) {
     command = "zenity --file-selection --separator='\n' --title=" + quoted(title) +
@@ -149,10 +151,10 @@ void Desktop::save_file(const std::string& name, const std::string& place, std::
   }
   if (!place.empty()) return write(place, bytes);
   const std::string command =
-      runs("zenity") ? "zenity --file-selection --save --confirm-overwrite --title='Save' "
-                       "--filename=" +
-                           quoted(name)
-                     : "kdialog --title Save --getsavefilename " + quoted(name);
+      runs("zenity")
+          ? "zenity --file-selection --save --confirm-overwrite --title=" + quoted(tr("Save")) +
+                " --filename=" + quoted(name)
+          : "kdialog --title " + quoted(tr("Save")) + " --getsavefilename " + quoted(name);
   ask(command, [write, bytes = std::move(bytes)](std::vector<std::string> paths) {
     write(paths.front(), bytes);
   });

@@ -4,8 +4,8 @@
 const aborted = (error) => error?.name === 'AbortError';
 const words = (error) => String(error?.message ?? error);
 
-// `kept`: browserStorage's. `tell`: calls the editor's module (page.js).
-function browserFiles(kept, tell) {
+// `kept`: browserStorage's. `tell`: calls the editor's module, `say`: in the person's language (page.js).
+function browserFiles(kept, tell, say) {
   const kMostRecents = 8;
   const kLineSide = 1024; // pixels, the longer side of an SVG
   const handles = new Map(); // place → FileSystemFileHandle
@@ -21,6 +21,8 @@ function browserFiles(kept, tell) {
   };
   const images = {description: 'Drawings', accept: {'image/*': [
     '.png', '.jpg', '.jpeg', '.gif', '.webp', '.svg', '.avif', '.bmp']}};
+
+  const described = (kind) => ({...kind, description: say(kind.description)});
 
   async function placeOf(handle) {
     for (const [place, known] of handles) if (await known.isSameEntry(handle)) return place;
@@ -118,14 +120,14 @@ function browserFiles(kept, tell) {
     if (window.showOpenFilePicker) {
       try {
         const chosen = await showOpenFilePicker({
-          multiple: !document_, types: [document_ ? kinds.artisketch : images]});
+          multiple: !document_, types: [described(document_ ? kinds.artisketch : images)]});
         return Promise.all(chosen.map(async (handle) => ({file: await handle.getFile(), handle})));
       } catch (error) {
         if (aborted(error)) return [];
       }
     }
     const input = document.getElementById('files');
-    input.accept = document_ ? '.artisketch' : 'image/*';
+    input.accept = document_ ? '.artisketch,.bvh,.glb' : 'image/*';
     input.multiple = !document_;
     input.value = '';
     return new Promise((resolve) => {
@@ -149,7 +151,7 @@ function browserFiles(kept, tell) {
     if (!window.showSaveFilePicker) return null;
     const kind = kinds[name.split('.').pop()];
     try {
-      return await showSaveFilePicker({suggestedName: name, ...(kind ? {types: [kind]} : {})});
+      return await showSaveFilePicker({suggestedName: name, ...(kind ? {types: [described(kind)]} : {})});
     } catch (error) {
       if (aborted(error)) throw error;
       return null; // not here (a frame of another site's page), or too long after the click

@@ -14,6 +14,7 @@
 
 const artisketch = (() => {
   const canvas = document.getElementById('canvas');
+  const controls = document.getElementById('controls');
   let module = null; // the editor's
 
   // ------------------------------------------------------------ the page's own files
@@ -43,6 +44,33 @@ const artisketch = (() => {
       }
     }
     return WebAssembly.compile(await bytesOf(name));
+  }
+
+  // ------------------------------------------------------------ words
+
+  let table = ''; // assets/languages/CODE.txt of the language chosen; empty: English
+
+  // The sentence in that language, `what` in the place of its {0}.
+  function say(english, what = '') {
+    const at = `\n${table}`.indexOf(`\n${english}\n`);
+    const found = at < 0 ? english : table.slice(at).split('\n')[1];
+    return found.replace('{0}', () => what);
+  }
+
+  function speak(code, found) {
+    table = found;
+    document.documentElement.lang = code;
+    canvas.setAttribute('aria-label', say('ArtiSketch. F6 leads to its controls, Escape back.'));
+    controls.setAttribute('aria-label', say('Controls'));
+  }
+
+  const tableOf = async (code) => new TextDecoder().decode(await bytesOf(`languages/${code}.txt`));
+
+  // The language kept, or the browser's, where the editor isn't there to say it.
+  async function speakUnasked() {
+    const chosen = await kept.get('kept', 'language');
+    const code = chosen ? new TextDecoder().decode(chosen.bytes) : navigator.language.slice(0, 2);
+    if (!table && code !== 'en') speak(code, await tableOf(code));
   }
 
   // ------------------------------------------------------------ into the module
@@ -172,7 +200,6 @@ const artisketch = (() => {
 
   // A button, unseen, over each of the canvas's controls: a screen reader and the keyboard (F6) reach
   // them, and pressing one clicks what is drawn there.
-  const controls = document.getElementById('controls');
   const status = document.getElementById('status');
   let reflected = '';
   let reflecting = 0;
@@ -191,6 +218,7 @@ const artisketch = (() => {
   }
 
   function arrange(widgets) {
+    const focused = controls.contains(document.activeElement) ? document.activeElement.textContent : null;
     while (controls.children.length > widgets.length) controls.lastElementChild.remove();
     widgets.forEach(({words, x, y, width, height, enabled, active}, at) => {
       const button = controls.children[at] ?? controls.appendChild(document.createElement('button'));
@@ -201,6 +229,10 @@ const artisketch = (() => {
       Object.assign(button.style, {
         left: `${x}px`, top: `${y}px`, width: `${width}px`, height: `${height}px`});
     });
+    if (focused === null || document.activeElement.textContent === focused) return;
+    // The keyboard's place is a control, wherever that comes to stand among the others.
+    const same = [...controls.children].find((button) => button.textContent === focused);
+    (same ?? controls.firstElementChild ?? canvas).focus();
   }
 
   // The browser may take the graphics card back, or the card may fail. What was drawn with it is gone;
@@ -210,11 +242,11 @@ const artisketch = (() => {
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       const frames = setInterval(stir, 500);
-      fail('The browser took the graphics card from this page. Your work is being kept …');
+      fail(say('The browser took the graphics card from this page. Your work is being kept …'));
       setTimeout(() => {
         clearInterval(frames);
         unsaved = false;
-        fail('The browser took the graphics card from this page. Your work is kept: reload the page to go on.');
+        fail(say('The browser took the graphics card from this page. Your work is kept: reload the page to go on.'));
       }, kKept);
     });
   }
@@ -243,7 +275,7 @@ const artisketch = (() => {
   // ------------------------------------------------------------ the page's other scripts
 
   const {kept, own} = browserStorage();
-  const files = browserFiles(kept, tell);
+  const files = browserFiles(kept, tell, say);
   const worker = coreWorker({
     tell,
     module: () => compiled('core.wasm'),
@@ -287,7 +319,7 @@ const artisketch = (() => {
     },
     async store(key, bytes) {
       const name = key === 'autosave' ? own.name : key;
-      if (key === 'language') document.documentElement.lang = new TextDecoder().decode(bytes);
+      if (key === 'language') speak(new TextDecoder().decode(bytes), '');
       try {
         if (key === 'left') await own.forgetLeft();
         else if (!bytes.length) await kept.drop('kept', name);
@@ -315,9 +347,9 @@ const artisketch = (() => {
       tell('page_loaded', question, await bytesOf(`examples/${name}.png`).catch(() => new Uint8Array()));
     },
     async loadWords(question, code) {
-      const words = await bytesOf(`languages/${code}.txt`).catch(() => new Uint8Array());
-      if (words.length) document.documentElement.lang = code;
-      tell('page_loaded', question, words);
+      const found = await tableOf(code).catch(() => '');
+      if (found) speak(code, found);
+      tell('page_loaded', question, new TextEncoder().encode(found));
     },
     title(title, unsavedWork) {
       document.title = unsavedWork ? `• ${title}` : title;
@@ -338,7 +370,10 @@ const artisketch = (() => {
     place.hidden = false;
   }
 
-  const notStarted = (error) => fail(`ArtiSketch could not start: ${words(error)}`);
+  async function notStarted(error) {
+    await speakUnasked().catch(() => {}); // in English, then
+    fail(say('ArtiSketch could not start: {0}', say(words(error))));
+  }
 
   async function start() {
     const program = compiled('editor.wasm');

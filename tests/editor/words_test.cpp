@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -96,12 +97,16 @@ TEST(Words, ALanguageIsKnownByTheSystemsNameForIt) {
 const std::string& said_by_sources() {
   static const std::string all = [] {
     std::string text;
-    for (const auto& entry : fs::recursive_directory_iterator(ARTISKETCH_SOURCE_DIR "/src"))
-      if (entry.is_regular_file()) text += text_of(entry.path());
+    for (const char* folder : {"/src", "/native_main", "/web"})
+      for (const auto& entry :
+           fs::recursive_directory_iterator(std::string(ARTISKETCH_SOURCE_DIR) + folder))
+        if (entry.is_regular_file()) text += text_of(entry.path());
     std::string joined;
     for (std::size_t at = 0; at < text.size(); ++at) {
-      const std::size_t next = text[at] == '"' ? text.find_first_not_of(" \n", at + 1) : text.npos;
-      if (next != text.npos && next > at + 1 && text[next] == '"')
+      // JavaScript's go on after a plus.
+      const bool ends = text[at] == '"' || text[at] == '\'' || text[at] == '`';
+      const std::size_t next = ends ? text.find_first_not_of(" +\n", at + 1) : text.npos;
+      if (next != text.npos && next > at + 1 && (text[next] == '"' || text[next] == '\''))
         at = next;
       else
         joined += text[at] == '_' ? ' ' : char(std::tolower(static_cast<unsigned char>(text[at])));
@@ -148,6 +153,36 @@ TEST_P(Languages, TheTableHasWhatTheSourcesSayAndNoMore) {
   for (const WordTable::Entry& entry : table.entries())
     for (const std::string& piece : pieces(entry.english))
       EXPECT_TRUE(is_said(piece)) << "'" << entry.english << "': no source says '" << piece << "'";
+}
+
+// What the page says by itself: say('…'), errors, and what its pickers call files. What varies in a
+// template is a number after a bracket, as in "(404)", else a name.
+std::vector<std::string> said_by_page() {
+  std::vector<std::string> all;
+  for (const auto& entry : fs::directory_iterator(ARTISKETCH_SOURCE_DIR "/web")) {
+    if (entry.path().extension() != ".js" || entry.path().filename() == "worker.js") continue;
+    const std::string script =
+        std::regex_replace(text_of(entry.path()), std::regex("['`] \\+\\s*'"), "");
+    const std::regex said(
+        "(?:say\\(|Error\\(|'page_opened', 0, |description: )(?:'([^']+)'|`([^`]+?)(?:`|'\\)))");
+    for (std::sregex_iterator it(script.begin(), script.end(), said), end; it != end; ++it) {
+      std::string words = (*it)[1].matched ? (*it)[1] : (*it)[2];
+      words = std::regex_replace(words, std::regex("\\(\\$\\{[^}]+\\}\\)"), "(404)");
+      all.push_back(std::regex_replace(words, std::regex("\\$?\\{[^}]+\\}"), "Hero"));
+    }
+  }
+  return all;
+}
+
+TEST_P(Languages, ThePageSaysNothingInEnglish) {
+  const WordTable table = table_of(GetParam());
+  const std::vector<std::string> said = said_by_page();
+  ASSERT_GT(said.size(), 15u);
+  for (const std::string& words : said) {
+    std::vector<std::string> missing;
+    (void)table.translated(words, missing);
+    EXPECT_TRUE(missing.empty()) << "'" << words << "'";
+  }
 }
 
 TEST_P(Languages, TheTableSaysAsMuchAsTheOthers) {
