@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "editor/harness.h"
+#include "editor/reading.h"
 #include "editor/ui/ui.h"
+#include "files/image_file.h"
 
 namespace artisketch {
 namespace {
@@ -43,15 +45,20 @@ bool may_be_covered(const Widget& widget) {
   return widget.width * widget.height > kGround ||
          widget.label.find(" edge") != std::string::npos ||
          widget.label.find("from the side") != std::string::npos ||
-         begins(widget.label, {"Joint ", "Point ", "Parts sheet"});
+         begins(widget.label, {"Joint ", "Point ", "Parts sheet", "Key ", "Clip "});
 }
 
 float common(float a, float a_size, float b, float b_size) {
   return std::min(a + a_size, b + b_size) - std::max(a, b);
 }
 
-void expect_clear(Harness& h, const std::string& where) {
-  const std::vector<Widget> all = h.editor().widgets();
+// from: the first control of the sheet that lies over all else.
+void expect_clear(Harness& h, const std::string& where, const std::string& from = "") {
+  std::vector<Widget> all = h.editor().widgets();
+  if (!from.empty())
+    all.erase(all.begin(), std::find_if(all.begin(), all.end(), [&](const Widget& widget) {
+                return widget.label == from;
+              }));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Widget& a = all[i];
     if (a.width <= 0 || a.height <= 0) continue;  // scrolled away
@@ -112,6 +119,62 @@ TEST_P(Screens, TheExportSheetHoldsItsWordsAndControls) {
     h.frames(2);
     expect_clear(h, std::string("export, ") + format);
   }
+}
+
+// Three figures in a row, and a title over them.
+Image sheet_of_figures() {
+  Image image;
+  image.width = 480, image.height = 240;
+  image.rgba.assign(std::size_t(image.width * image.height) * 4, 255);
+  const auto fill = [&](int x, int y, int width, int height) {
+    for (int row = y; row < y + height; ++row)
+      for (int column = x; column < x + width; ++column)
+        for (int c = 0; c < 3; ++c)
+          image.rgba[std::size_t(row * image.width + column) * 4 + std::size_t(c)] = 60;
+  };
+  for (int letter = 0; letter < 9; ++letter) fill(40 + 22 * letter, 12, 12, 16);
+  for (int column = 0; column < 3; ++column) fill(40 + 140 * column, 70, 70, 130);
+  return image;
+}
+
+TEST_P(Screens, TheSheetsOfFiguresAndOfTheCropHoldTheirWordsAndControls) {
+  h.open("walk.png", png_bytes(sheet_of_figures()));
+  h.frames(3);
+  ASSERT_NE(h.find("Figure 1"), nullptr);
+  expect_clear(h, "figures on a sheet", "Close picking");
+  h.click("Figure 2");
+  h.frames(2);
+  expect_clear(h, "a figure left out", "Close picking");
+  h.key(ImGuiKey_Escape);
+  h.open_example("hero");
+  h.settle();
+  h.key(ImGuiKey_Escape);  // the hints
+  h.right_click("Drawing card 1");
+  h.click("Crop by hand");
+  h.frames(3);
+  ASSERT_NE(h.find("Crop to the box"), nullptr);
+  expect_clear(h, "the crop", "Close picking");
+}
+
+TEST_P(Screens, TheMotionsHoldTheirWordsAndControls) {
+  h.open_example("hero");
+  h.settle();
+  h.key(ImGuiKey_R);
+  h.settle();
+  h.key(ImGuiKey_4);
+  h.key(ImGuiKey_O);        // without the model's joints
+  if (h.find("Library")) {  // not on phones
+    h.click("Library");
+    h.frames(2);
+    h.click("Add walk");
+  }
+  h.wait(10);  // until nothing more is said
+  expect_clear(h, "a clip");
+  h.open("hello.bvh", waving());
+  h.click("Change");  // of what it says that moves what
+  h.frames(3);
+  ASSERT_NE(h.find("In place"), nullptr);
+  expect_clear(h, "what a motion moves");
 }
 
 }  // namespace

@@ -229,8 +229,9 @@ void nothing_yet(const App& app, const Rect& place) {
   const bool outlines = !drawn_joints(app.document()).empty();
   const std::string words = outlines ? "Reconstruct makes the model" : "The model appears here";
   column.cut_top(write_lines(column, Font::body, t.muted, words, 20, Align::centre));
-  if (!outlines)
-    write(column.cut_top(18), Font::caption, t.disabled, "once a part is outlined", Align::centre);
+  constexpr const char* kWhen = "once a part is outlined";
+  if (!outlines && lines_height(Font::caption, kWhen, column.w, 18) <= column.h)  // not on phones
+    write_lines(column, Font::caption, t.disabled, kWhen, 18, Align::centre);
 }
 
 }  // namespace

@@ -387,19 +387,28 @@ void use_tool(App& app, const Rect& place, const Rect& clear) {
 // The blank page: what to do first.
 void invitation(App& app, const Rect& place) {
   const Theme& t = theme();
-  const Rect card = place.middle(std::min(360.0f, place.w - 32), 180);
+  constexpr const char* kTitle = "Drop a drawing, or just draw.";
+  constexpr float kPad = 20, kLine = 24, kButton = 36, kBetween = 8, kRoundWords = 52;
+  const float width = std::min(360.0f, place.w - 32), inner = width - 2 * kPad;
+  const float half = (inner - kBetween) / 2;
+  // Long words take a line each.
+  bool beside = true;
+  for (const char* id : {"add_drawings", "blank_drawing"})
+    beside &= text_width(Font::body_bold, command(app, id).name) + kRoundWords <= half;
+  const float title = lines_height(Font::title, kTitle, inner, kLine);
+  const Rect card = place.middle(width, 156 + title + (beside ? 0 : kBetween + kButton));
   dashed_frame(card, kRadiusPanel, t.accent);
-  Rect column = card.inset(20);
+  Rect column = card.inset(kPad);
   write_icon(column.cut_top(32).centre(), IconSize::large, t.accent, icon::kImageMultiple);
   column.cut_top(8);
-  write(column.cut_top(24), Font::title, t.text, "Drop a drawing, or just draw.", Align::centre);
+  write_lines(column.cut_top(title), Font::title, t.text, kTitle, kLine, Align::centre);
   column.cut_top(16);
-  Rect row = column.cut_top(36);
+  Rect row = column.cut_top(kButton);
   Look primary;
   primary.primary = true;
-  const float half = (row.w - 8) / 2;
-  command_button(app, "add_drawings", row.cut_left(half), primary);
-  command_button(app, "blank_drawing", row.cut_right(half));
+  command_button(app, "add_drawings", beside ? row.cut_left(half) : row, primary);
+  column.cut_top(kBetween);
+  command_button(app, "blank_drawing", beside ? row.cut_right(half) : column.cut_top(kButton));
 }
 
 // Beside a large model (tablets): to look at, and to tap.

@@ -76,17 +76,16 @@ void name_and_state(const App& app, Rect row) {
   const std::string title = app.view.welcome              ? "ArtiSketch"
                             : app.document().name.empty() ? "Untitled"
                                                           : app.document().name;
-  if (app.view.welcome && text_width(Font::title, title) > row.w) return;  // on phones
   const bool named = !app.view.welcome && title != "Untitled";
+  if (!named && text_width(Font::title, title) > row.w) return;  // on phones
   const std::string shown = named ? title : tr(title);
   const float width = std::min(name_width(Font::title, shown) + 1, row.w);
   write_name(row.cut_left(width), Font::title, t.text, shown);
   row.cut_left(12);
   const std::string state = state_of_file(app);
-  if (state == "Saved")
-    write_icon({row.x + 6, row.y + row.h / 2}, IconSize::small, t.muted, icon::kCheck);
-  if (state == "Saved") row.cut_left(18);
-  if (row.w > 40) write(row, Font::caption, t.muted, state);
+  if (state == "Saved" && row.w > 12)
+    write_icon({row.cut_left(18).x + 6, row.y + row.h / 2}, IconSize::small, t.muted, icon::kCheck);
+  if (text_width(Font::caption, state) <= row.w) write(row, Font::caption, t.muted, state);
 }
 
 }  // namespace
