@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -212,6 +213,24 @@ void add_material(const Model& model, Builder& out) {
   out.gltf.materials.push_back(std::move(material));
 }
 
+// What each vertex owes to which joints.
+void add_influences(const Model& model, std::map<std::string, int>& attributes, Builder& out) {
+  const std::size_t vertices = std::size_t(model.mesh.V.rows());
+  std::vector<Influences> all;
+  std::vector<float> weights;
+  for (int v = 0; v < int(vertices); ++v) {
+    all.push_back(influences(model.weights, v));
+    for (const int steps : all.back().steps) weights.push_back(float(steps) / kWeightSteps);
+  }
+  attributes["JOINTS_0"] =
+      model.skeleton.size() <= 256
+          ? out.add_accessor(joint_indices<std::uint8_t>(all), vertices, TINYGLTF_TYPE_VEC4,
+                             TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, kForVertices)
+          : out.add_accessor(joint_indices<std::uint16_t>(all), vertices, TINYGLTF_TYPE_VEC4,
+                             TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, kForVertices);
+  attributes["WEIGHTS_0"] = out.add_floats(weights, TINYGLTF_TYPE_VEC4, kForVertices);
+}
+
 void add_mesh(const Model& model, Builder& out) {
   const Mesh& mesh = model.mesh;
   const std::size_t vertices = std::size_t(mesh.V.rows());
@@ -230,19 +249,7 @@ void add_mesh(const Model& model, Builder& out) {
     attributes["TEXCOORD_0"] = out.add_floats(uv, TINYGLTF_TYPE_VEC2, kForVertices);
   }
 
-  std::vector<Influences> all;
-  std::vector<float> weights;
-  for (int v = 0; v < int(vertices); ++v) {
-    all.push_back(influences(model.weights, v));
-    for (const int steps : all.back().steps) weights.push_back(float(steps) / kWeightSteps);
-  }
-  attributes["JOINTS_0"] =
-      model.skeleton.size() <= 256
-          ? out.add_accessor(joint_indices<std::uint8_t>(all), vertices, TINYGLTF_TYPE_VEC4,
-                             TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, kForVertices)
-          : out.add_accessor(joint_indices<std::uint16_t>(all), vertices, TINYGLTF_TYPE_VEC4,
-                             TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, kForVertices);
-  attributes["WEIGHTS_0"] = out.add_floats(weights, TINYGLTF_TYPE_VEC4, kForVertices);
+  if (model.skeleton.size() > 0) add_influences(model, attributes, out);
 
   // The largest index of a kind is not to be used: it restarts primitives.
   const std::size_t corners = std::size_t(mesh.F.size());
@@ -284,11 +291,13 @@ void add_scene(const Model& model, Builder& out) {
   tinygltf::Node node;
   node.name = model.name.empty() ? "model" : model.name;
   while (model.skeleton.find(node.name) >= 0) node.name += " mesh";
-  node.mesh = node.skin = 0;
+  node.mesh = 0;
+  if (model.skeleton.size() > 0) node.skin = 0;
   out.gltf.nodes.push_back(std::move(node));
   tinygltf::Scene scene;
   scene.name = model.name;
-  scene.nodes = {0, model.skeleton.size()};
+  scene.nodes = {0};
+  if (model.skeleton.size() > 0) scene.nodes.push_back(model.skeleton.size());
   out.gltf.scenes.push_back(std::move(scene));
   out.gltf.defaultScene = 0;
 }
@@ -333,9 +342,10 @@ void add_clip(const Clip& clip, int joints, Builder& out) {
 }  // namespace
 
 Result<std::string> glb_bytes(const Model& model) {
-  ensure(model.skeleton.size() > 0 && model.skeleton.size() <= 65536,
-         "joints that 16 bits can count");
-  ensure(model.weights.joints.rows() == model.mesh.V.rows(), "weights for every vertex");
+  const bool still = model.skeleton.size() == 0;
+  ensure(model.skeleton.size() <= 65536, "joints that 16 bits can count");
+  ensure(still ? model.clips.empty() : model.weights.joints.rows() == model.mesh.V.rows(),
+         "weights for every vertex, or nothing that moves");
   ensure(!model.texture || Eigen::Index(model.texcoords.size()) == model.mesh.V.rows(),
          "a texture coordinate for every vertex");
   if (const std::string why = trouble(model); !why.empty())
@@ -345,7 +355,7 @@ Result<std::string> glb_bytes(const Model& model) {
   out.gltf.asset.generator = "ArtiSketch " ARTISKETCH_VERSION;
   add_material(model, out);
   add_mesh(model, out);
-  add_skeleton(model.skeleton, out);
+  if (!still) add_skeleton(model.skeleton, out);
   add_scene(model, out);
   for (const Clip& clip : model.clips) add_clip(clip, model.skeleton.size(), out);
   if (out.size() > kLargestBuffer) return bad_input("the model would take more than 2 GB");

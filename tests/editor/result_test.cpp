@@ -408,6 +408,24 @@ TEST_F(ResultMode, JointsAreNamedAsAnEngineHasThem) {
   expect_nothing_happened();
 }
 
+TEST_F(ResultMode, OnlyThePoseThatIsShownIsAMeshWithoutSkeleton) {
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  EXPECT_NE(h.find("frames"), nullptr);
+  h.click("Joints' names");
+  h.click("Only this pose, no skeleton");
+  EXPECT_EQ(h.find("frames"), nullptr) << "nothing moves";
+  h.click("Export hero.glb");
+  const std::string& glb = h.platform.files["/kept/hero.glb"];
+  EXPECT_EQ(glb.substr(0, 4), "glTF");
+  EXPECT_EQ(glb.find("\"skins\""), glb.npos);
+  EXPECT_EQ(glb.find("\"animations\""), glb.npos);
+  EXPECT_NE(glb.find("\"TEXCOORD_0\""), glb.npos);
+  h.click("Joints' names");
+  h.click("As drawn");
+  EXPECT_NE(h.find("frames"), nullptr);
+  expect_nothing_happened();
+}
+
 TEST_F(ResultMode, CompressedIsTheSameModelInFewerBytes) {
   h.key(ImGuiKey_E, ImGuiMod_Ctrl);
   h.click("Export hero.glb");

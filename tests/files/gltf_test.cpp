@@ -110,6 +110,24 @@ TEST(Gltf, NodesAreTheDocumentsJointsAndTheMeshStandsBesideThem) {
   for (int c = 0; c < 3; ++c) EXPECT_EQ(inverse[16 + 12 + c], -float(rest[c]));
 }
 
+TEST(Gltf, AModelWithoutJointsIsAMeshAlone) {
+  Model model = two_joint_model();
+  model.skeleton = {};
+  model.weights = {};
+  model.clips.clear();
+  const Result<std::string> bytes = glb_bytes(model);
+  ASSERT_TRUE(bytes.ok()) << bytes.error().text();
+  const Glb glb(*bytes);
+  EXPECT_EQ(glb.json["nodes"].size(), 1u);
+  EXPECT_FALSE(glb.json["nodes"][0].contains("skin"));
+  EXPECT_EQ(glb.json["scenes"][0]["nodes"], nlohmann::json::array({0}));
+  EXPECT_FALSE(glb.json.contains("skins"));
+  EXPECT_FALSE(glb.json.contains("animations"));
+  EXPECT_FALSE(glb.primitive()["attributes"].contains("JOINTS_0"));
+  EXPECT_EQ(glb.json["accessors"][int(glb.primitive()["attributes"]["POSITION"])]["count"],
+            int(model.mesh.V.rows()));
+}
+
 TEST(Gltf, WeightsSumToExactlyOneAndNameEachJointOnce) {
   for (const auto& [name, model] : sample_models()) {
     const Glb glb(*glb_bytes(model));

@@ -95,13 +95,17 @@ void rig_row(App& app, Rect row) {
   look.id = "Joints' names";
   look.hint = "Named and completed as an engine has them";
   look.icon = icon::kChevronDown;
-  const bool opens =
-      button(wish.rig ? rigs[wish.rig - 1].about : "As drawn", row.middle(row.w, 28), look);
+  constexpr const char* kNone = "Only this pose, no skeleton";
+  const char* chosen = wish.rig == 0                    ? "As drawn"
+                       : wish.rig == without_skeleton() ? kNone
+                                                        : rigs[wish.rig - 1].about;
+  const bool opens = button(chosen, row.middle(row.w, 28), look);
   Menu menu("Rigs", opens);
   if (!menu) return;
   if (menu.line("As drawn")) wish.rig = 0;
   for (std::size_t i = 0; i < rigs.size(); ++i)
     if (menu.line(rigs[i].about)) wish.rig = i + 1;
+  if (menu.line(kNone)) wish.rig = without_skeleton();
 }
 
 // A row of choices by words, and the value that each stands for; whether one was clicked.
@@ -152,11 +156,21 @@ void sprite_rows(App& app, Rect& column, float room) {
   checkbox("Depth", row, wish.depth);
 }
 
+bool is_gltf(const App& app) {
+  const std::string format = export_formats()[app.view.export_choice.format].name;
+  return format == "GLB" || format == "VRM";
+}
+
+bool still(const App& app) {
+  const ExportChoice& wish = app.view.export_choice;
+  return export_formats()[wish.format].name == std::string("GLB") && wish.rig == without_skeleton();
+}
+
 // What the chosen format leaves to choose.
 void choices(App& app, Rect& column, float room) {
   ExportChoice& wish = app.view.export_choice;
   const std::string format = export_formats()[wish.format].name;
-  const bool rigged = format == "GLB" || format == "VRM";
+  const bool rigged = is_gltf(app);
   const float bottom = column.y + room;
   if (format == "Sprites") return sprite_rows(app, column, room);
   if (format != "PNG") triangles_row(app, column.cut_top(56));
@@ -164,7 +178,8 @@ void choices(App& app, Rect& column, float room) {
   if (format == "GLB") rig_row(app, column.cut_top(34));
   if (rigged) {
     checkbox("Compressed (not for Godot)", column.cut_top(28), wish.compress);
-    if (!app.session.built->model.clips.empty()) clip_rows(app, column, bottom - column.y);
+    if (!app.session.built->model.clips.empty() && !still(app))
+      clip_rows(app, column, bottom - column.y);
   } else if (format == "PNG") {
     Look one, all;
     one.on = !wish.sides;
@@ -220,13 +235,15 @@ void facts(const App& app, const Rect& card, bool low) {
     write(row, Font::caption, t.muted, what);
   };
   line("Triangles", in_thousands(int(model.mesh.F.rows())));
-  line("Skeleton",
-       std::to_string(model.skeleton.size()) + (model.skeleton.size() == 1 ? " joint" : " joints"));
-  line("Weights", "4 a vertex, sum 1");
+  line("Skeleton", still(app) ? "None"
+                              : std::to_string(model.skeleton.size()) +
+                                    (model.skeleton.size() == 1 ? " joint" : " joints"));
+  line("Weights", still(app) ? "None" : "4 a vertex, sum 1");
   const ExportChoice& wish = app.view.export_choice;
-  const bool less = !wish.texture || wish.halvings > 0 || wish.compress ||
+  const bool less = !wish.texture || wish.halvings > 0 || wish.compress || still(app) ||
                     !app.session.export_wish.without.empty();
-  line("File", (less ? "less than " : "") + bytes_in_words(app.session.built->glb.size()));
+  line(is_gltf(app) ? "Valid glTF" : "File",
+       (less ? "less than " : "") + bytes_in_words(app.session.built->glb.size()));
 }
 
 void export_button(App& app, Rect foot) {

@@ -61,8 +61,26 @@ Result<std::string> packed(const App& app, Result<std::string> bytes) {
   return compressed_glb(*bytes);
 }
 
+// The model with its surface as the view shows it.
+Model posed(const App& app, Model model) {
+  model.mesh.V = posed_vertices(model.mesh.V, model.weights, model.skeleton, app.shown_pose());
+  return model;
+}
+Model posed(const App& app) {
+  return posed(app, app.session.built->model);
+}
+
+Result<std::string> as_still(const App& app) {
+  Model model = posed(app, chosen_model(app));
+  model.skeleton = {};
+  model.weights = {};
+  model.clips.clear();
+  return packed(app, glb_bytes(model));
+}
+
 Result<std::string> as_glb(const App& app) {
   const ExportChoice& wish = app.view.export_choice;
+  if (wish.rig == without_skeleton()) return as_still(app);
   if (wish.rig) {
     const Result<Model> rigged = for_engine(chosen_model(app), rig_profiles()[wish.rig - 1].name);
     return rigged ? packed(app, glb_bytes(*rigged)) : Result<std::string>(rigged.error());
@@ -77,13 +95,6 @@ Result<std::string> as_vrm(const App& app) {
   const Result<VrmMeta> meta = vrm_meta(app.document(), "the document");
   if (!meta) return meta.error();
   return packed(app, vrm_bytes(chosen_model(app), *meta));
-}
-
-// The model with its surface as the view shows it.
-Model posed(const App& app) {
-  Model model = app.session.built->model;
-  model.mesh.V = posed_vertices(model.mesh.V, model.weights, model.skeleton, app.shown_pose());
-  return model;
 }
 
 Result<std::string> as_obj(const App& app) {
@@ -119,6 +130,10 @@ constexpr ExportFormat kFormats[] = {
 };
 
 }  // namespace
+
+std::size_t without_skeleton() {
+  return rig_profiles().size() + 1;
+}
 
 std::span<const ExportFormat> export_formats() {
   return kFormats;

@@ -18,6 +18,8 @@ struct ExportFormat {
 std::span<const ExportFormat> export_formats();
 std::string export_name(const App& app, const ExportFormat& format);
 SpriteOptions sprite_wish(const App& app);  // of the clip chosen in the timeline
-void export_model(App& app);                // in the format that was chosen
+// Of a GLB's joints (ExportChoice::rig): none, the surface alone in the pose that is shown.
+std::size_t without_skeleton();
+void export_model(App& app);  // in the format that was chosen
 
 }  // namespace artisketch
