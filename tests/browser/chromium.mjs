@@ -33,12 +33,14 @@ function countFrames() {
 }
 
 // A browser of its own with an empty profile. `t`: the test that it ends with.
-export async function browser(t, {width = 1280, height = 720, scale = 1, dark = true, pickers = false, touch = false} = {}) {
+export async function browser(t, {
+  width = 1280, height = 720, scale = 1, dark = true, pickers = false, touch = false, locale = 'en-US',
+} = {}) {
   const profile = mkdtempSync(join(tmpdir(), 'artisketch-browser-'));
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: process.env.ARTISKETCH_CHROMIUM ?? '/usr/bin/chromium', headless: true, args: flags,
     viewport: {width, height}, deviceScaleFactor: scale, colorScheme: dark ? 'dark' : 'light',
-    acceptDownloads: true, hasTouch: touch,
+    acceptDownloads: true, hasTouch: touch, locale,
   });
   t.after(async () => {
     await context.close();

@@ -152,14 +152,16 @@ test('the downloaded model is valid, and the command line\'s', async (t) => {
   assert.ok(apart <= 1e-4, `apart by ${apart}`);
 });
 
+function withoutWebGL2() {
+  const context = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+    return kind === 'webgl2' ? null : context.call(this, kind, ...more);
+  };
+}
+
 test('a page that lacks WebGL 2 says what to do, and does nothing else', async (t) => {
   const context = await browser(t);
-  await context.addInitScript(() => {
-    const context = HTMLCanvasElement.prototype.getContext;
-    HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
-      return kind === 'webgl2' ? null : context.call(this, kind, ...more);
-    };
-  });
+  await context.addInitScript(withoutWebGL2);
   const page = await context.newPage();
   const faults = [];
   page.on('pageerror', (error) => faults.push(error));
@@ -172,6 +174,22 @@ test('a page that lacks WebGL 2 says what to do, and does nothing else', async (
   await page.waitForTimeout(1000);
   assert.deepEqual(faults, []);
 });
+
+for (const [locale, failure, label] of [
+  ['de-AT', /konnte nicht starten: Dieser Browser/, /F6 führt/], ['es-MX', /no pudo iniciarse: Este navegador/, /F6 lleva/],
+]) {
+  test(`the page itself speaks the browser's language: ${locale}`, async (t) => {
+    const context = await browser(t, {locale});
+    const {page} = await open(context, site.url);
+    await page.waitForFunction(() => document.documentElement.lang !== 'en');
+    assert.match(await page.getAttribute('#canvas', 'aria-label'), label);
+    await context.addInitScript(withoutWebGL2);
+    await page.goto(site.url);
+    await page.waitForFunction(() => !document.getElementById('failure').hidden);
+    assert.match(await page.textContent('#failure'), failure);
+    assert.equal(await page.getAttribute('html', 'lang'), locale.slice(0, 2));
+  });
+}
 
 test('a worker that crashes or lacks memory is reported in words, and the next one works', async (t) => {
   const context = await browser(t);
@@ -432,6 +450,46 @@ test('every control stands in the accessibility tree, and can be pressed there',
   await editor.until((state) => state.mode === 'pose');
   await page.keyboard.press('Escape');
   assert.equal(await page.evaluate(() => document.activeElement.id), 'canvas');
+});
+
+test('by the keyboard alone an example is opened, changed, reconstructed and exported', async (t) => {
+  const editor = await open(await browser(t), site.url);
+  const {page} = editor, {keyboard} = page;
+  await editor.until(hasHero);
+  const focused = () => page.evaluate(() => document.activeElement.textContent);
+  // Tab by Tab, to a control that can be pressed; Enter presses it.
+  const press = async (label) => {
+    await editor.widget(label);
+    await page.getByRole('button', {name: label, exact: true}).first().waitFor({state: 'attached'});
+    await keyboard.press('F6');
+    for (let tabs = 0; await focused() !== label; tabs++) {
+      assert.ok(tabs < 300, `no way to ${label}`);
+      await keyboard.press('Tab');
+    }
+    await keyboard.press('Enter');
+  };
+  await press('Menu');
+  await press('Menu Light or dark');
+  await press('Example Hero');
+  await editor.until((state) => state.mode === 'outline');
+  await press('Menu');
+  await editor.widget('Menu Save');
+  await keyboard.press('Escape'); // to the canvas
+  await keyboard.press('Escape');
+  await editor.once(async () => !(await editor.widgets()).some(({label}) => label === 'Menu Save'));
+  await press('Hand R in 1');
+  await keyboard.press('Escape');
+  await keyboard.press('Delete');
+  await editor.until((state) => state.undo === 'Delete Hand R');
+  await keyboard.press('Control+z');
+  await keyboard.press('r');
+  await editor.until((state) => state.busy);
+  await editor.until(isDone);
+  await keyboard.press('Control+e');
+  const {label} = await editor.widget(/^Export .*\.glb$/);
+  const {bytes} = await editor.download(() => press(label));
+  assert.equal(bytes.toString('latin1', 0, 4), 'glTF');
+  assert.deepEqual(editor.faults, []);
 });
 
 for (const [name, size] of Object.entries({

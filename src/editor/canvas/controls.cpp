@@ -48,13 +48,18 @@ void thumbnail(const App& app, const Frame& frame, const Rect& place, bool outli
     paint_outline(draw(), contour.line, on, joint_tint(contour.joint), look);
 }
 
+std::string shown_side(const JointWords& words) {
+  const std::string whole = tr(words.whole()), name = tr(words.name) + " ";
+  return whole.starts_with(name) ? whole.substr(name.size()) : words.side;
+}
+
 void part_name(Rect row, const std::string& name, bool chosen) {
   const JointWords words = joint_words(name);
   const Font face = chosen ? Font::body_bold : Font::body;
   write(row.cut_left(std::min(row.w, text_width(face, words.name) + 1)), face, theme().text,
         words.name);
   row.cut_left(5);
-  if (!words.side.empty()) write(row, Font::small, theme().muted, words.side);
+  if (!words.side.empty()) write_name(row, Font::small, theme().muted, shown_side(words));
 }
 
 void record_joints(const App& app, const OnScreen& on) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "document/edit.h"
 #include "editor/session/app.h"
 #include "editor/ui/ui.h"
 
@@ -19,6 +20,8 @@ Look command_look(const App& app, const Command& command, Look look = {});
 // A small picture of a drawing with its outlines.
 void thumbnail(const App& app, const Frame& frame, const Rect& place, bool outlines = true);
 
+// A joint's side as the person's language has it: "L", "I".
+std::string shown_side(const JointWords& words);
 // A joint's name as people read it, its side smaller.
 void part_name(Rect row, const std::string& name, bool chosen);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "document/edit.h"
+#include "editor/canvas/controls.h"
 #include "editor/canvas/pointer.h"
 #include "editor/canvas/sketch_paint.h"
 #include "editor/ui/ui.h"
@@ -154,8 +155,8 @@ void paint_pending(const App& app, const Rect& place, const OnScreen& on) {
   draw().AddRectFilled(chip.min(), chip.max(), t.raised, kRadiusCard);
   draw().AddCircleFilled({chip.x + 20, chip.y + 19}, 7, joint_tint(joint));
   write({chip.x + 36, chip.y + 8, chip.w - 40, 22}, Font::title, t.text, words.name);
-  write({chip.x + 42 + text_width(Font::title, words.name), chip.y + 9, 20, 22}, Font::small,
-        t.muted, words.side);
+  write_name({chip.x + 42 + text_width(Font::title, words.name), chip.y + 9, 20, 22}, Font::small,
+             t.muted, shown_side(words));
   key_cap({chip.x + 12, chip.y + 36, 40, 18}, "Enter");
   write({chip.x + 57, chip.y + 36, 40, 18}, Font::caption, t.muted, "keep");
   key_cap({chip.x + 94, chip.y + 36, 32, 18}, "Tab");

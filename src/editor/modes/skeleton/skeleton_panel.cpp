@@ -67,7 +67,7 @@ void name_row(App& app, Rect row) {
   draw().AddCircleFilled({row.x + 8, row.centre().y}, 7, joint_tint(joint));
   row.cut_left(26);
   if (!words.side.empty()) {
-    write(row.cut_right(18), Font::small, t.muted, words.side, Align::right);
+    write_name(row.cut_right(18), Font::small, t.muted, shown_side(words), Align::right);
     row.cut_right(6);
   }
   const bool entered = text_field("Joint name", row, naming.typed, naming.begin);
