@@ -52,5 +52,24 @@ TEST(Notes, WhatFollowsFromADrawingsSizeIsFoldedUnderIt) {
   EXPECT_EQ(said(h, "cannot agree"), 0);
 }
 
+// Parts that do not touch, that fuse, a skin that passes through itself: all come one way.
+TEST(Notes, WhatTheCommandLineSaysOfTheSurfaceIsListed) {
+  Harness h;
+  h.open_example("hero");
+  h.settle();
+  Document document = h.document();
+  const int hand = document.skeleton.find("hand.R");
+  for (Frame& frame : document.frames)
+    for (Contour& contour : frame.contours)
+      if (contour.joint == hand)
+        for (Vec2& point : contour.line.points) point += Vec2(0, 160);
+  h.open("apart.artisketch", document_text(document));
+  h.key(ImGuiKey_R);
+  h.settle();
+  h.click("Read");
+  EXPECT_EQ(said(h, "Hand R does not touch Forearm R"), 1);
+  EXPECT_EQ(said(h, "hand.R"), 0) << "it is called as in the editor";
+}
+
 }  // namespace
 }  // namespace artisketch
