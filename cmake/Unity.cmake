@@ -36,6 +36,9 @@ set(alone
   tests/figures/legs.cpp
   tests/figures/parrot.cpp
   tests/figures/monster.cpp
+  tests/figures/gnome.cpp
+  tests/figures/knight.cpp
+  tests/figures/bear.cpp
   tests/figures/polygonise.cpp
   tests/quality/inconsistent.cpp
 )

@@ -27,6 +27,7 @@ GOALS = {
     '60 parts, 12 frames': (None, 2048),
 }
 WALL_GOALS = {'hero, grid 100, 2 threads': 0.28}
+GALLERY_GOAL = 2.5      # CPU seconds of any of its figures, grid 100, 1 thread
 ONE_SKIN_GOAL = 0.4     # seconds, of any figure
 CALIBRATE_GOAL = 2.5    # of 60 parts in 12 frames
 GRID_EXPONENT_GOAL = 2.3
@@ -142,6 +143,9 @@ def native(bench, quick):
         else:
             print('large drawings: left out, there is no convert (imagemagick)')
     bench.row('hero, by the paper', hero, '--method', 'paper', '--threads', 1, runs=1)
+    for document in [] if quick else sorted(bench.examples.parent.glob('gallery/*/*.artisketch')):
+        GOALS[f'{document.stem}, gallery'] = (GALLERY_GOAL, None)
+        bench.row(f'{document.stem}, gallery', document, '--threads', 1)
 
 
 def web(bench, program):

@@ -166,11 +166,12 @@ Example robot_at_work() {
 
 using Maker = Example (*)();
 constexpr std::pair<std::string_view, Maker> kMakers[] = {
-    {"circles", circles},      {"heart", heart_too_low},       {"hero", hero_abroad},
-    {"fox", fox_about},        {"robot", robot_at_work},       {"prince", prince_walking},
-    {"horse", horse_trotting}, {"horse-three", horse_turning}, {"ballerina", ballerina_dancing},
-    {"alien", alien_landed},   {"climber", climber_climbing},  {"legs", legs_dancing},
-    {"parrot", parrot_flying}, {"monster", monster_once}};
+    {"circles", circles},         {"heart", heart_too_low},       {"hero", hero_abroad},
+    {"fox", fox_about},           {"robot", robot_at_work},       {"prince", prince_walking},
+    {"horse", horse_trotting},    {"horse-three", horse_turning}, {"ballerina", ballerina_dancing},
+    {"alien", alien_landed},      {"climber", climber_climbing},  {"legs", legs_dancing},
+    {"parrot", parrot_flying},    {"monster", monster_once},      {"gnome", gnome_walking},
+    {"knight", knight_in_pixels}, {"bear", bear_in_pencil}};
 
 }  // namespace
 

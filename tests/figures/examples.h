@@ -29,6 +29,9 @@ Example alien_landed();
 Example climber_climbing();
 Example legs_dancing();
 Example parrot_flying();
-Example monster_once();  // a single drawing
+Example monster_once();      // a single drawing
+Example gnome_walking();     // a sheet of four sprites
+Example knight_in_pixels();  // 64 of them
+Example bear_in_pencil();
 
 }  // namespace artisketch::figures

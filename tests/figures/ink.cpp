@@ -169,20 +169,55 @@ class Sheet {
     Image image(width_, height_);
     for (int y = 0; y < height_; ++y)
       for (int x = 0; x < width_; ++x) {
-        Eigen::Vector4f sum = Eigen::Vector4f::Zero();
-        for (int j = 0; j < kSamples; ++j)
-          for (int i = 0; i < kSamples; ++i) {
-            const Eigen::Vector4f& c =
-                colours_[std::size_t(y * kSamples + j) * nx_ + x * kSamples + i];
-            sum.head<3>() += c.head<3>() * (c[3] / 255);
-            sum[3] += c[3];
-          }
+        Eigen::Vector4f colour =
+            style_.medium == InkStyle::Medium::pixels ? commonest(x, y) : mean(x, y);
+        if (style_.medium == InkStyle::Medium::pencil) colour = pencilled(x, y, colour);
         std::uint8_t* pixel = image.at(x, y);
-        for (int a = 0; a < 3; ++a)
-          pixel[a] = sum[3] > 0 ? std::uint8_t(std::lround(sum[a] * 255 / sum[3])) : 255;
-        pixel[3] = std::uint8_t(std::lround(sum[3] / (kSamples * kSamples)));
+        for (int a = 0; a < 4; ++a) pixel[a] = std::uint8_t(std::lround(colour[a]));
       }
     return image;
+  }
+
+  const Eigen::Vector4f& sample(int x, int y, int k) const {
+    return colours_[std::size_t(y * kSamples + k / kSamples) * nx_ + x * kSamples + k % kSamples];
+  }
+
+  Eigen::Vector4f mean(int x, int y) const {
+    Eigen::Vector4f sum = Eigen::Vector4f::Zero();
+    for (int k = 0; k < kSamples * kSamples; ++k) {
+      const Eigen::Vector4f& c = sample(x, y, k);
+      sum.head<3>() += c.head<3>() * (c[3] / 255);
+      sum[3] += c[3];
+    }
+    const Eigen::Vector3f colour =
+        sum[3] > 0 ? (sum.head<3>() * 255 / sum[3]).eval() : Eigen::Vector3f::Constant(255);
+    return {colour[0], colour[1], colour[2], sum[3] / (kSamples * kSamples)};
+  }
+
+  Eigen::Vector4f commonest(int x, int y) const {
+    int best = 0, most = 0;
+    for (int k = 0; k < kSamples * kSamples; ++k) {
+      int same = 0;
+      for (int i = 0; i < kSamples * kSamples; ++i) same += sample(x, y, i) == sample(x, y, k);
+      if (same > most) {
+        most = same;
+        best = k;
+      }
+    }
+    const Eigen::Vector4f& c = sample(x, y, best);
+    return c[3] > 0 ? c : Eigen::Vector4f(255, 255, 255, 0);
+  }
+
+  // Strokes all one way, closer where it is dark; the paper's grain takes less of them here than
+  // there.
+  Eigen::Vector4f pencilled(int x, int y, const Eigen::Vector4f& colour) const {
+    constexpr double kPaper = 250, kGrain = 1.6, kStroke = 5.5;  // grey; pixels
+    const double grain = noise(Vec2(x, y) / kGrain, style_.seed + 3);
+    const double stroke = noise(Vec2((x + y) / kStroke, (x - y) / (kStroke * 9)), style_.seed + 4);
+    const double covered = colour[3] / 255, tone = colour.head<3>().mean();
+    const double laid = covered * (kPaper - tone) * (1 + 0.16 * grain + 0.2 * stroke);
+    const double grey = std::clamp(kPaper - laid + 1.5 * grain, 0.0, 255.0);
+    return Eigen::Vector4d(grey, grey - 1, grey - 4, 255).cwiseMax(0).cast<float>();
   }
 
   const Figure& figure_;

@@ -1,5 +1,7 @@
 #include "figures/ink.h"
 
+#include <set>
+
 #include <gtest/gtest.h>
 
 namespace artisketch::figures {
@@ -33,6 +35,34 @@ TEST(Ink, TheSideAwayFromTheLightIsDarker) {
   const Image image = ball_picture();
   const std::uint8_t *lit = image.at(32, 32), *shade = image.at(54, 54);
   EXPECT_GT(lit[0], shade[0] + 10);
+}
+
+TEST(Ink, PixelArtHasFewColoursAndHardEdges) {
+  InkStyle style;
+  style.medium = InkStyle::Medium::pixels;
+  const Image image = ball_picture(style);
+  std::set<unsigned> colours;
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const std::uint8_t* p = image.at(x, y);
+      EXPECT_TRUE(p[3] == 0 || p[3] == 255);
+      if (p[3]) colours.insert(unsigned(p[0]) << 16 | p[1] << 8 | p[2]);
+    }
+  EXPECT_EQ(colours.size(), 3u) << "its colour, that in shade, the ink";
+}
+
+TEST(Ink, PencilIsGreyOnPaper) {
+  InkStyle style;
+  style.medium = InkStyle::Medium::pencil;
+  const Image image = ball_picture(style);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const std::uint8_t* p = image.at(x, y);
+      EXPECT_EQ(p[3], 255);
+      EXPECT_LE(p[0] - p[2], 5) << "a tone, no colour";
+    }
+  EXPECT_GT(image.at(2, 2)[0], 240);
+  EXPECT_LT(image.at(kSize / 2, kSize / 2)[0], 200);
 }
 
 TEST(Ink, TheSameSeedDrawsTheSame) {

@@ -51,7 +51,8 @@ constexpr Floor kFloors[] = {
     {"horse-three", 0.94, 0.88, 0.065, 4}, {"ballerina", 0.935, 0.865, 0.046, 1.6},
     {"alien", 0.91, 0.87, 0.025, 1.7},     {"climber", 0.96, 0.925, 0.062, 0.8},
     {"legs", 0.955, 0.925, 0.06, 1.5},     {"parrot", 0.89, 0.8, 0.115, 2.6},
-    {"monster", 0.915, 0.845, 0.06, 1e-6},
+    {"monster", 0.915, 0.845, 0.06, 1e-6}, {"gnome", 0.915, 0.835, 0.075, 1},
+    {"knight", 0.93, 0.885, 0.125, 0.6},   {"bear", 0.94, 0.905, 0.02, 2.2},
 };
 INSTANTIATE_TEST_SUITE_P(Figures, Gallery, testing::ValuesIn(kFloors), [](const auto& info) {
   std::string name = info.param.name;
