@@ -46,8 +46,8 @@ install(DIRECTORY assets/gallery DESTINATION "${CMAKE_INSTALL_DATADIR}/artisketc
 
 set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_PACKAGE_NAME artisketch)
-set(CPACK_PACKAGE_VENDOR "ArtiSketch contributors")
-set(CPACK_PACKAGE_CONTACT "ArtiSketch contributors <artisketch@localhost>")
+set(CPACK_PACKAGE_VENDOR "ArtiSketch developers")
+set(CPACK_PACKAGE_CONTACT "ArtiSketch developers <noreply@artisketch.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "3D characters that move, from a few drawings")
 set(CPACK_PACKAGE_DESCRIPTION "An editor and a command line that make a rigged, textured glTF model from
 drawings of a character in several poses, outlines of its parts and a rough skeleton.")
