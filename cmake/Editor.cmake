@@ -101,6 +101,7 @@ add_library(artisketch_editor STATIC EXCLUDE_FROM_ALL
   src/editor/canvas/sketch_paint.cpp
   ${modes}
   src/editor/shell/canvas_menu.cpp
+  src/editor/shell/gallery.cpp
   src/editor/shell/hints.cpp
   src/editor/shell/inspector.cpp
   src/editor/shell/model_panel.cpp
@@ -140,9 +141,12 @@ if(NOT EMSCRIPTEN)
   add_executable(artisketch-editor EXCLUDE_FROM_ALL native_main/editor_main.cpp native_main/desktop.cpp native_main/kept_work.cpp native_main/seen_files.cpp native_main/script.cpp)
   target_link_libraries(artisketch-editor PRIVATE artisketch_window artisketch::json artisketch_warnings)
   # Beside the program, as where it is installed.
-  file(GLOB languages CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/assets/languages/*.txt")
-  set_property(TARGET artisketch-editor APPEND PROPERTY LINK_DEPENDS ${languages})
-  add_custom_command(TARGET artisketch-editor POST_BUILD VERBATIM
-    COMMAND "${CMAKE_COMMAND}" -E copy_directory "${PROJECT_SOURCE_DIR}/assets/languages"
-            "$<TARGET_FILE_DIR:artisketch-editor>/languages")
+  file(GLOB beside CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/assets/languages/*.txt"
+       "${PROJECT_SOURCE_DIR}/assets/gallery/*/*")
+  set_property(TARGET artisketch-editor APPEND PROPERTY LINK_DEPENDS ${beside})
+  foreach(folder IN ITEMS languages gallery)
+    add_custom_command(TARGET artisketch-editor POST_BUILD VERBATIM
+      COMMAND "${CMAKE_COMMAND}" -E copy_directory "${PROJECT_SOURCE_DIR}/assets/${folder}"
+              "$<TARGET_FILE_DIR:artisketch-editor>/${folder}")
+  endforeach()
 endif()

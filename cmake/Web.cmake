@@ -102,9 +102,27 @@ foreach(name IN LISTS examples)
   list(APPEND made "${packed}.artisketch" "${packed}.glb" "${packed}.png")
 endforeach()
 
+# The gallery: its drawings inside, too; what it shows of a model is there already (./dev pictures).
+set(figures "")
+file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/gallery")
+file(GLOB folders CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/assets/gallery/*")
+foreach(folder IN LISTS folders)
+  cmake_path(GET folder FILENAME name)
+  set(packed "${CMAKE_BINARY_DIR}/gallery/${name}")
+  file(GLOB drawings CONFIGURE_DEPENDS "${folder}/*.png")
+  add_custom_command(OUTPUT "${packed}.artisketch" "${packed}.png" VERBATIM
+    COMMAND "${ARTISKETCH_NODE}" "${PROJECT_SOURCE_DIR}/web/pack.mjs" "${folder}/${name}.artisketch"
+            "${packed}.artisketch"
+    COMMAND "${CMAKE_COMMAND}" -E copy "${folder}/model.png" "${packed}.png"
+    DEPENDS web/pack.mjs "${folder}/${name}.artisketch" ${drawings}
+    COMMENT "Packing the figure ${name}")
+  list(APPEND figures ${name})
+  list(APPEND made "${packed}.artisketch" "${packed}.png")
+endforeach()
+
 file(GLOB page CONFIGURE_DEPENDS web/*.js web/*.html web/*.css web/*.mjs assets/languages/*.txt)
 add_custom_command(OUTPUT "${CMAKE_BINARY_DIR}/artisketch.html" VERBATIM
-  COMMAND "${ARTISKETCH_NODE}" "${PROJECT_SOURCE_DIR}/web/assemble.mjs" "${CMAKE_BINARY_DIR}" ${examples}
+  COMMAND "${ARTISKETCH_NODE}" "${PROJECT_SOURCE_DIR}/web/assemble.mjs" "${CMAKE_BINARY_DIR}" ${examples} -- ${figures}
   DEPENDS editor core ${made} ${page}
   COMMENT "Putting the page together")
 add_custom_target(site DEPENDS "${CMAKE_BINARY_DIR}/artisketch.html")

@@ -70,6 +70,7 @@ constexpr const char *kAutosave = "autosave", *kLeft = "left";  // the editor's 
 
 Desktop::Desktop(fs::path assets)
     : examples_(assets / "examples"),
+      gallery_(assets / "gallery"),
       languages_(assets / "languages"),
       kept_(kept_folder()),
       work_(kept_) {}
@@ -212,33 +213,41 @@ void Desktop::load(const std::string& key, std::function<void(std::string)> then
 }
 
 std::vector<ExampleCard> Desktop::examples() {
+  using enum ExampleCard::Shelf;
   std::vector<ExampleCard> cards;
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(examples_, ignored)) {
-    const std::string name = entry.path().filename().string();
-    const Result<Document> document =
-        read_document((entry.path() / (name + ".artisketch")).string());
-    if (document) cards.push_back({name, int(document->frames.size())});
-  }
-  // The hero greets; then those with the most drawings.
-  std::sort(cards.begin(), cards.end(), [](const ExampleCard& a, const ExampleCard& b) {
-    return std::tuple(a.name != "hero", -a.drawings, a.name) <
-           std::tuple(b.name != "hero", -b.drawings, b.name);
-  });
+  for (const auto& [folder, shelf] : {std::pair(examples_, first_screen), {gallery_, gallery}})
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+      const std::string name = entry.path().filename().string();
+      const Result<Document> document =
+          read_document((entry.path() / (name + ".artisketch")).string());
+      if (document) cards.push_back({name, int(document->frames.size()), shelf});
+    }
+  // The hero greets; then those with the most drawings; the gallery by name.
+  const auto order = [](const ExampleCard& card) {
+    return std::tuple(card.shelf, card.name != "hero", card.shelf == gallery ? 0 : -card.drawings,
+                      card.name);
+  };
+  std::sort(cards.begin(), cards.end(),
+            [&](const ExampleCard& a, const ExampleCard& b) { return order(a) < order(b); });
   return cards;
 }
 
 void Desktop::load_example(const std::string& name, std::function<void(Result<Example>)> then) {
+  const std::string file = name + ".artisketch";
+  const bool shelved = fs::exists(gallery_ / name / file);
   const Result<NamedBytes> document =
-      read_named((examples_ / name / (name + ".artisketch")).string(), seen_);
+      read_named(((shelved ? gallery_ : examples_) / name / file).string(), seen_);
   if (!document) return then(document.error());
+  if (shelved) return then(Example{document->bytes, ""});  // its model is made when it is opened
   const Result<std::string> glb = read_file((examples_ / name / (name + ".glb")).string());
   if (!glb) return then(glb.error());
   then(Example{document->bytes, *glb});
 }
 
 void Desktop::load_example_picture(const std::string& name, std::function<void(std::string)> then) {
-  const Result<std::string> png = read_file((examples_ / name / (name + ".png")).string());
+  Result<std::string> png = read_file((examples_ / name / (name + ".png")).string());
+  if (!png) png = read_file((gallery_ / name / "model.png").string());
   then(png ? *png : std::string());
 }
 

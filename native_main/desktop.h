@@ -17,7 +17,8 @@ namespace artisketch {
 
 class Desktop : public Platform {
  public:
-  // assets: folder of examples/NAME/NAME.artisketch, NAME.glb and NAME.png, and languages/CODE.txt.
+  // assets: folder of examples/NAME/NAME.artisketch, NAME.glb and NAME.png, of
+  // gallery/NAME/NAME.artisketch and model.png, and of languages/CODE.txt.
   explicit Desktop(std::filesystem::path assets);
   ~Desktop() override;
 
@@ -50,7 +51,7 @@ class Desktop : public Platform {
   void ask(std::string command, std::function<void(std::vector<std::string>)> then);
   void remember(const std::string& place);
 
-  std::filesystem::path examples_, languages_, kept_;
+  std::filesystem::path examples_, gallery_, languages_, kept_;
   KeptWork work_;
   SeenFiles seen_;
   SDL_Window* window_ = nullptr;

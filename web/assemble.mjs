@@ -1,17 +1,19 @@
 // Puts the page together from what was compiled, twice: OUT/site/, static files for any web host, and
 // OUT/artisketch.html, all of it in one file that works from disk.
-//   node assemble.mjs OUT EXAMPLE…
+//   node assemble.mjs OUT EXAMPLE… -- FIGURE…
 // Its languages' words are fetched when they are asked for.
-// OUT holds editor.js, editor.wasm, core.js, core.wasm, and examples/NAME.artisketch, .glb and .png. The
-// first example comes with its model; the others are made where they are opened.
+// OUT holds editor.js, editor.wasm, core.js, core.wasm, examples/NAME.artisketch, .glb and .png, and
+// gallery/NAME.artisketch and .png. The first example comes with its model; the others are made where they
+// are opened. The gallery's figures are fetched one by one; the single file comes without them.
 import { createHash } from 'node:crypto';
-import { mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
 const here = dirname(fileURLToPath(import.meta.url));
-const [out, ...examples] = process.argv.slice(2);
+const [out, ...names] = process.argv.slice(2);
+const examples = names.slice(0, names.indexOf('--')), gallery = names.slice(names.indexOf('--') + 1);
 const site = join(out, 'site');
 const source = (name) => readFileSync(join(here, name), 'utf8');
 const script = (name) => source(name).replace(/^ *\/\/.*\n/gm, ''); // its comments are for those who read it here
@@ -41,9 +43,12 @@ function policy(sources) {
   }).map(([what, from]) => `${what} ${from}`).join('; ');
 }
 
-// As the page's meta element has it: [[name, drawings]…].
-const cards = JSON.stringify(examples.map((name) =>
-  [name, JSON.parse(built(`examples/${name}.artisketch`)).frames.length])).replaceAll('"', '&quot;');
+// As the page's meta element has it: [[name, drawings, shelf]…], its shelf as in ExampleCard.
+const kFirstScreen = 0, kGallery = 1, kElsewhere = 2;
+const card = (folder, shelf) => (name) =>
+  [name, JSON.parse(built(`${folder}/${name}.artisketch`)).frames.length, shelf];
+const cards = (shelf) => JSON.stringify([...examples.map(card('examples', kFirstScreen)),
+  ...gallery.map(card('gallery', shelf))]).replaceAll('"', '&quot;');
 
 function page(parts) {
   return source('shell.html').replace(/@([A-Z]+)@/g, (_, name) => parts[name]);
@@ -52,8 +57,13 @@ function page(parts) {
 // ---------------------------------------------------------------- the site
 
 rmSync(site, {recursive: true, force: true});
-for (const folder of ['examples', 'languages']) mkdirSync(join(site, folder), {recursive: true});
+for (const folder of ['examples', 'gallery', 'languages']) mkdirSync(join(site, folder), {recursive: true});
 for (const [name, bytes] of files) writeFileSync(join(site, name), bytes);
+for (const name of gallery) {
+  for (const kind of ['artisketch', 'png']) {
+    copyFileSync(join(out, `gallery/${name}.${kind}`), join(site, `gallery/${name}.${kind}`));
+  }
+}
 for (const [name, text] of scripts) writeFileSync(join(site, name), text);
 writeFileSync(join(site, 'page.css'), style);
 writeFileSync(join(site, 'index.html'), page({
@@ -61,7 +71,7 @@ writeFileSync(join(site, 'index.html'), page({
     'script-src': "'self' 'wasm-unsafe-eval'", 'style-src': "'self'", 'connect-src': "'self'",
     'worker-src': "'self'",
   }),
-  EXAMPLES: cards,
+  EXAMPLES: cards(kGallery),
   STYLE: '<link rel="stylesheet" href="page.css">\n' +
     '<link rel="preload" href="editor.wasm" as="fetch" crossorigin>',
   FILES: '',
@@ -80,7 +90,7 @@ writeFileSync(single, page({
     'script-src': `${scripts.map(([, text]) => hash(text)).join(' ')} 'wasm-unsafe-eval'`,
     'style-src': hash(style), 'worker-src': 'blob:',
   }),
-  EXAMPLES: cards,
+  EXAMPLES: cards(kElsewhere),
   STYLE: `<style>${style}</style>`,
   FILES: [...files].map(([name, bytes]) =>
     `<script type="text/plain" id="file:${name}">${gzipSync(bytes, {level: 9}).toString('base64')}</script>`)

@@ -290,15 +290,18 @@ const artisketch = (() => {
 
   let unsaved = false;
   let saidNotKept = false; // once is enough
-  // [[name, drawings]…]; the first greets, and comes with its model.
+  // [[name, drawings, shelf]…]; the first greets, and comes with its model. The shelf is
+  // ExampleCard::Shelf; a gallery's figure is fetched when it is looked at.
   const examples = JSON.parse(document.querySelector('meta[name=examples]').content);
   const fetched = new Map(); // example → promise
+
+  const placeOf = (name) => `${examples.find((one) => one[0] === name)[2] ? 'gallery' : 'examples'}/${name}`;
 
   function example(name) {
     if (!fetched.has(name)) {
       fetched.set(name, Promise.all([
-        bytesOf(`examples/${name}.artisketch`),
-        name === examples[0][0] ? bytesOf(`examples/${name}.glb`) : new Uint8Array()]));
+        bytesOf(`${placeOf(name)}.artisketch`),
+        name === examples[0][0] ? bytesOf(`${placeOf(name)}.glb`) : new Uint8Array()]));
     }
     return fetched.get(name);
   }
@@ -344,7 +347,7 @@ const artisketch = (() => {
       }
     },
     async loadExamplePicture(question, name) {
-      tell('page_loaded', question, await bytesOf(`examples/${name}.png`).catch(() => new Uint8Array()));
+      tell('page_loaded', question, await bytesOf(`${placeOf(name)}.png`).catch(() => new Uint8Array()));
     },
     async loadWords(question, code) {
       const found = await tableOf(code).catch(() => '');

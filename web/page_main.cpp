@@ -61,7 +61,7 @@ using namespace artisketch;
 extern "C" {
 
 // Opens the editor in the canvas, its size in CSS pixels; what is wrong in words, or null.
-// known: JSON {examples: [[name, drawings]…], recents: [[name, place]…], language: "de-AT"}.
+// known: JSON {examples: [[name, drawings, shelf]…], recents: [[name, place]…], language: "de-AT"}.
 EMSCRIPTEN_KEEPALIVE const char* page_start(int width, int height, const char* known) {
   SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#canvas");
   static std::string fault;
@@ -74,7 +74,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(int width, int height, const char* k
   std::vector<Platform::Recent> recents;
   for (const Json& recent : listed["recents"]) recents.push_back({recent[0], recent[1]});
   std::vector<ExampleCard> examples;
-  for (const Json& example : listed["examples"]) examples.push_back({example[0], example[1]});
+  for (const Json& example : listed["examples"])
+    examples.push_back({example[0], example[1], ExampleCard::Shelf(int(example[2]))});
   window->lasting = true;  // page.js asks for such a canvas
   page = new Page(std::move(*window), std::move(examples), std::move(recents), listed["language"]);
   ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) {

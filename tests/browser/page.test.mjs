@@ -116,6 +116,32 @@ for (const [where, url] of [['a static server', () => site.url], ['disk', () => 
   });
 }
 
+test('a figure of the gallery is fetched when it is looked at, and made', async (t) => {
+  const editor = await open(await browser(t), site.url);
+  await editor.until(hasHero);
+  const fetched = () => editor.requests.filter((request) => request.includes('/gallery/'));
+  assert.deepEqual(fetched(), []);
+  await editor.click('Gallery');
+  await editor.widget(/^Example Prince$/);
+  await editor.rest(1);
+  await editor.page.screenshot({path: join(shots, 'gallery.png')});
+  assert.ok(fetched().length > 5 && fetched().every((request) => request.endsWith('.png')), `${fetched()}`);
+  await editor.click('Example Monster');
+  await editor.until((state) => state.mode === 'result' && state.busy);
+  const state = await editor.until(isDone);
+  assert.ok(state.hasModel && state.frames === 1);
+  assert.deepEqual(fetched().filter((request) => request.endsWith('.artisketch')).length, 1);
+  assert.deepEqual(editor.faults, []);
+});
+
+test('the single file says that the gallery is not in it', async (t) => {
+  const editor = await open(await browser(t), single);
+  await editor.until(hasHero);
+  await editor.frame();
+  assert.ok(!(await editor.widgets()).some(({label}) => label === 'Gallery'));
+  await editor.page.screenshot({path: join(shots, 'single-file.png')});
+});
+
 // Width and height of the first image in a GLB.
 function pictureSize(glb) {
   const length = glb.readUInt32LE(12), {images, bufferViews} = JSON.parse(glb.subarray(20, 20 + length));
@@ -501,6 +527,9 @@ for (const [name, size] of Object.entries({
     await editor.until(hasHero);
     await editor.frame();
     await editor.page.screenshot({path: join(shots, `${name.replace('outline', 'welcome')}.png`)});
+    await editor.click('Gallery');
+    await editor.rest(0.5);
+    await editor.page.screenshot({path: join(shots, `${name.replace('outline', 'gallery')}.png`)});
     await openHero(editor);
     await editor.rest(0.5);
     await editor.page.screenshot({path: join(shots, `${name}.png`)});

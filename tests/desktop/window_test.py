@@ -16,6 +16,22 @@ def greets_with_the_hero():
     window.close()
 
 
+def opens_a_figure_of_the_gallery():
+    window = Window("1440x900")
+    window.wait(lambda: window.state()["hasModel"], "the hero")
+    window.click("Gallery")
+    window.has("Example Prince")
+    window.picture("gallery")
+    window.key("Escape")
+    window.has("Turn the model")
+    window.click("Gallery")
+    window.click("Example Monster")
+    window.wait(lambda: window.state()["mode"] == "result" and not window.state()["busy"], "its model")
+    assert window.state()["hasModel"]
+    window.picture("monster")
+    window.close()
+
+
 def reconstructs_and_cancels():
     window = Window("1440x900", examples / "heart/heart.artisketch")
     window.click("Reconstruct")
@@ -153,6 +169,6 @@ def fits_every_screen():
         window.close()
 
 
-run(greets_with_the_hero, says_what_a_command_waits_for, reconstructs_and_cancels,
+run(greets_with_the_hero, opens_a_figure_of_the_gallery, says_what_a_command_waits_for, reconstructs_and_cancels,
     exports_every_format, draws_and_undoes, recovers_what_was_lost,
     opens_one_document_after_another, fits_every_screen)

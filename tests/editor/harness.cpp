@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <span>
 #include <stdexcept>
 
@@ -19,8 +20,13 @@ namespace {
 
 constexpr int kCoarse = 20;  // cells: what is asked of the editor doesn't depend on it
 
+bool is_of_the_gallery(const std::string& name) {
+  return std::filesystem::exists(ARTISKETCH_SOURCE_DIR "/assets/gallery/" + name);
+}
+
 std::string example_path(const std::string& name) {
-  return ARTISKETCH_SOURCE_DIR "/assets/examples/" + name + "/" + name + ".artisketch";
+  return std::string(ARTISKETCH_SOURCE_DIR "/assets/") +
+         (is_of_the_gallery(name) ? "gallery/" : "examples/") + name + "/" + name + ".artisketch";
 }
 
 // One check for all of them: there are tens of thousands in every frame.
@@ -96,15 +102,18 @@ void MemoryPlatform::load(const std::string& key, std::function<void(std::string
 }
 
 std::vector<ExampleCard> MemoryPlatform::examples() {
+  using Shelf = ExampleCard::Shelf;
   std::vector<ExampleCard> cards;
-  for (const std::string& name : example_names) cards.push_back({name, 2});
+  for (const std::string& name : example_names)
+    cards.push_back({name, 2, is_of_the_gallery(name) ? Shelf::gallery : Shelf::first_screen});
   return cards;
 }
 
 void MemoryPlatform::load_example(const std::string& name,
                                   std::function<void(Result<Example>)> then) {
   if (no_example) return then(*no_example);
-  then(Example{example_document(name), with_models ? example_model(name) : ""});
+  const bool with_model = with_models && !is_of_the_gallery(name);
+  then(Example{example_document(name), with_model ? example_model(name) : ""});
 }
 
 void MemoryPlatform::load_example_picture(const std::string&,

@@ -37,7 +37,7 @@ class MemoryPlatform : public Platform {
   std::optional<Error> no_saving;            // why nothing can be saved
   std::vector<Recent> recent;
   std::map<std::string, std::string> kept;  // store() and load()
-  std::vector<std::string> example_names;   // of assets/examples; the first greets
+  std::vector<std::string> example_names;   // of assets/examples and gallery; the first greets
   bool with_models = true;                  // the examples come with models
   std::optional<Error> no_example;          // why an example can't be loaded
   std::string title;

@@ -34,6 +34,30 @@ TEST(Opening, TheFirstExampleGreetsAndPlays) {
   EXPECT_NE(h.find("Example Circles"), nullptr);
 }
 
+TEST(Opening, TheGalleryShowsEveryExample) {
+  Harness h({"hero", "heart", "monster", "horse-three"});
+  EXPECT_EQ(h.find("Example Monster"), nullptr) << "the first screen stays calm";
+  h.click("Gallery");
+  for (const char* name : {"Hero", "Heart", "Monster", "Horse three"})
+    EXPECT_NE(h.find(std::string("Example ") + name), nullptr) << name;
+  EXPECT_EQ(h.find("Turn the model"), nullptr);
+  h.key(ImGuiKey_Escape);
+  EXPECT_EQ(h.find("Example Monster"), nullptr);
+  EXPECT_NE(h.find("Turn the model"), nullptr);
+}
+
+TEST(Opening, AFigureOfTheGalleryIsMadeWhereItIsOpened) {
+  Harness h({"hero", "monster"});
+  h.click("Gallery");
+  h.click("Example Monster");
+  EXPECT_EQ(h.document().name, "monster");
+  EXPECT_EQ(h.state().mode, "result");
+  ASSERT_FALSE(h.jobs.started.empty());
+  EXPECT_EQ(h.jobs.started.front(), JobRequest::Kind::reconstruct);
+  h.settle();
+  EXPECT_TRUE(h.state().has_model);
+}
+
 TEST(Opening, ADocumentShowsWhatItHolds) {
   Harness h;
   h.open_example("hero");

@@ -22,10 +22,16 @@ struct Manner {
   float pixel_ratio;
 };
 
+// All that come with the program.
+const std::vector<std::string> kExamples = {"hero",   "fox",         "robot",  "heart",   "circles",
+                                            "alien",  "ballerina",   "bear",   "climber", "gnome",
+                                            "horse",  "horse-three", "knight", "legs",    "monster",
+                                            "parrot", "prince"};
+
 class Screens : public testing::TestWithParam<std::tuple<Screen, Manner>> {
  protected:
   Screens()
-      : h({"hero"}, {{"language", manner().language}, {"theme", manner().theme}},
+      : h(kExamples, {{"language", manner().language}, {"theme", manner().theme}},
           std::get<Screen>(GetParam()).size) {
     h.pixel_ratio = manner().pixel_ratio;
   }
@@ -93,6 +99,13 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(Screens, TheFirstScreenHoldsItsWordsAndControls) {
   h.settle();
   expect_clear(h, "welcome");
+}
+
+TEST_P(Screens, TheGalleryHoldsItsWordsAndControls) {
+  h.settle();
+  h.click("Gallery");
+  h.frames(2);
+  expect_clear(h, "gallery");
 }
 
 TEST_P(Screens, EachModeHoldsItsWordsAndControls) {

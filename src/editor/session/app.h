@@ -27,7 +27,7 @@ struct Services {
   Platform& platform;
   Jobs& jobs;
   Drawings drawings;
-  std::vector<ExampleCard> examples;                    // the gallery's
+  std::vector<ExampleCard> examples;                    // of the first screen
   std::map<std::string, std::string> example_pictures;  // keys into `drawings`, once asked for
   // The model over the drawing, from all sides, and beside the drawing.
   RenderTarget over_sketch, model_seen, model_beside;

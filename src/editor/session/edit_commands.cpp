@@ -25,6 +25,8 @@ void step_back(App& app) {
   Session& session = app.session;
   if (app.busy()) {
     app.services.jobs.cancel();
+  } else if (app.view.welcome && app.view.gallery) {
+    app.view.gallery = false;
   } else if (session.notes_shown) {
     session.notes_shown = false;
   } else if (!session.rivals.poses.empty()) {

@@ -73,6 +73,7 @@ void open_example(App& app, const std::string& name, bool greet) {
     if (app.services.openings != asked) return;
     if (!example) return complain(app, example.error());
     open_document(app, {"", example->document, ""});
+    app.view.gallery = false;
     if (example->glb.empty()) {
       perform(app, "mode_result");
       return start_job(app, JobRequest::Kind::reconstruct);

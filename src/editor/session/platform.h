@@ -25,10 +25,12 @@ struct Example {
   std::string glb;  // may be empty
 };
 
-// How the gallery knows an example.
+// How the first screen knows an example.
 struct ExampleCard {
   std::string name;
   int drawings = 0;
+  enum class Shelf { first_screen, gallery, elsewhere };  // elsewhere: this copy came without it
+  Shelf shelf = Shelf::first_screen;
 };
 
 class Platform {
@@ -62,8 +64,8 @@ class Platform {
   virtual void store(const std::string& key, std::string bytes) = 0;
   virtual void load(const std::string& key, std::function<void(std::string)> then) = 0;
 
-  // The examples, the one that greets first; one of them; and a small picture of its model, a PNG,
-  // empty where there is none.
+  // The examples, the one that greets first, the gallery's after all others; one of them; and a
+  // small picture of its model, a PNG, empty where there is none.
   virtual std::vector<ExampleCard> examples() = 0;
   virtual void load_example(const std::string& name, std::function<void(Result<Example>)> then) = 0;
   virtual void load_example_picture(const std::string& name,

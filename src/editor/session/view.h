@@ -62,6 +62,7 @@ struct Hints {
 
 struct View {
   bool welcome = true;
+  bool gallery = false;  // over the first screen
   Mode mode = Mode::outline;
   std::array<std::size_t, kModes> armed{};  // each mode's tool, by its row in App::tools
   std::array<Layers, kModes> layers;

@@ -21,6 +21,8 @@ void splitters(App& app, const Layout& layout);
 void status_line(const App& app, const Layout& layout);
 void toasts(App& app, const Layout& layout);
 void welcome(App& app, const Layout& layout, float pixel_ratio);
+void examples_row(App& app, const Rect& place);  // the first screen's, with the way to the gallery
+void gallery(App& app, const Rect& place);       // every example, over the first screen
 void shortcut_sheet(App& app, float width, float height);
 void picking_sheet(App& app, float width, float height);
 void question_sheet(App& app, float width, float height);

@@ -130,86 +130,9 @@ void how_it_is_done(App& app, Rect column) {
   write(foot, Font::caption, t.muted, whole ? promise : "Your drawings never leave this computer.");
 }
 
-// Asked for once, and there when it came.
-const Drawing* example_picture(App& app, const std::string& name) {
-  if (const auto known = app.services.example_pictures.find(name);
-      known != app.services.example_pictures.end())
-    return app.services.drawings.at(known->second);
-  app.services.example_pictures[name] = "";
-  app.services.platform.load_example_picture(name, [&app, name](std::string png) {
-    const Result<std::string> key = app.services.drawings.add(std::move(png), name);
-    if (key) app.services.example_pictures[name] = *key;
-  });
-  return nullptr;
-}
-
-// Picture and words, beside each other or, in a narrow card, below.
-void example_card(App& app, const ExampleCard& example, const Rect& card, bool on) {
+// The model that greets, and what else to open.
+void hero_and_examples(App& app, const Layout& layout, Rect all, float pixel_ratio) {
   const Theme& t = theme();
-  const std::string name = capitalised(example.name),
-                    count = example.drawings == 1 ? "one drawing"
-                                                  : std::to_string(example.drawings) + " drawings";
-  constexpr float kGap = 8;
-  Rect picture = card.inset(6, 4), words;
-  const float wide =
-      std::max(text_width(Font::body_bold, name), text_width(Font::caption, count)) + 1;
-  const bool beside = picture.w - std::min(picture.h, picture.w / 2) - kGap >= wide;
-  if (beside) {
-    words = picture;
-    picture = words.cut_left(std::min(words.h, words.w / 2));
-    words.cut_left(kGap);
-    words = words.middle(words.w, 40);
-    write(Rect(words).cut_top(20), Font::body_bold, t.text, name);
-    write(Rect(words).cut_bottom(20), Font::caption, t.muted, count);
-  } else {
-    write(picture.cut_bottom(16), Font::caption_bold, t.text, name, Align::centre);
-  }
-  if (const Drawing* model = example_picture(app, example.name)) {
-    const float scale =
-        std::min(picture.w / float(model->image.width), picture.h / float(model->image.height));
-    show_picture(
-        model->texture,
-        picture.middle(scale * float(model->image.width), scale * float(model->image.height)), 1);
-  } else {
-    write_icon(picture.centre(), IconSize::large, on ? t.accent : t.muted, icon::kWalk);
-  }
-}
-
-void gallery(App& app, const Rect& place) {
-  const Theme& t = theme();
-  Rect column = place.inset(24, 12);
-  Rect head = column.cut_top(22);
-  write(head.cut_left(text_width(Font::body_bold, "Examples") + 10), Font::body_bold, t.text,
-        "Examples");
-  write(head, Font::caption, t.muted, "open one and change anything");
-  column.cut_top(6);
-  const std::vector<ExampleCard>& examples = app.services.examples;
-  if (examples.empty()) return;
-  const float width = std::min(178.0f, (column.w + 12) / float(examples.size()) - 12);
-  for (std::size_t i = 0; i < examples.size(); ++i) {
-    Rect card = column.cut_left(width);
-    column.cut_left(12);
-    const std::string name = capitalised(examples[i].name);
-    const bool on = i == 0;
-    const Press press = press_area("Example " + name, card);
-    draw().AddRectFilled(card.min(), card.max(), press.hovered ? t.hover : t.control, kRadiusCard);
-    if (on) draw().AddRect(card.min(), card.max(), t.accent, kRadiusCard, 0, 1.5f);
-    if (press.clicked) return open_example(app, examples[i].name, false);
-    example_card(app, examples[i], card, on);
-  }
-}
-
-}  // namespace
-
-void welcome(App& app, const Layout& layout, float pixel_ratio) {
-  const Theme& t = theme();
-  Rect all{0, layout.top.bottom(), layout.top.w,
-           (layout.tablet ? layout.strip.bottom() : layout.status.y) - layout.top.bottom()};
-  if (layout.tablet) all.cut_top(layout.modes.h);
-  Rect steps = layout.tablet ? all.cut_bottom(std::min(616.0f, all.h * 0.6f))
-                             : all.cut_right(layout.inset     ? 336
-                                             : layout.compact ? 400
-                                                              : 448);
   const Rect examples = all.cut_bottom(all.w < 400                      ? 124
                                        : layout.inset || layout.compact ? 100
                                                                         : 168);
@@ -248,8 +171,26 @@ void welcome(App& app, const Layout& layout, float pixel_ratio) {
   {
     const Panel panel("Examples", examples, t.panel);
     hairline({examples.x, examples.y}, {examples.right(), examples.y + 1});
-    gallery(app, examples);
+    examples_row(app, examples);
   }
+}
+
+}  // namespace
+
+void welcome(App& app, const Layout& layout, float pixel_ratio) {
+  const Theme& t = theme();
+  Rect all{0, layout.top.bottom(), layout.top.w,
+           (layout.tablet ? layout.strip.bottom() : layout.status.y) - layout.top.bottom()};
+  if (layout.tablet) all.cut_top(layout.modes.h);
+  if (app.view.gallery && layout.tablet) return gallery(app, all);
+  const Rect steps = layout.tablet ? all.cut_bottom(std::min(616.0f, all.h * 0.6f))
+                                   : all.cut_right(layout.inset     ? 336
+                                                   : layout.compact ? 400
+                                                                    : 448);
+  if (app.view.gallery)
+    gallery(app, all);
+  else
+    hero_and_examples(app, layout, all, pixel_ratio);
   const Panel panel("Steps", steps, t.panel);
   hairline({steps.x, steps.y}, {steps.x + 1, steps.bottom()});
   how_it_is_done(app, steps);
