@@ -18,9 +18,9 @@ constexpr double kAstray = 0.1;   // how far apart two drawings may lay the same
 // other, and so far from where the model has them.
 constexpr double kMeet = 0.025, kDeep = 0.15;
 constexpr int kPattern = 4;            // alike details so near each other, itself among them
-constexpr double kStep = 0.02;         // of depth between neighbours that is an edge
+constexpr double kDepthEdge = 0.02;    // of depth between neighbours that is an edge
 constexpr double kAway = 0.015;        // how far a detail's line and blur reach
-constexpr float kAlike = 0.2f;         // colours of one detail
+constexpr float kOneDetail = 0.2f;     // colours of one detail
 constexpr double kMostRatio = 4;       // between the areas of one detail in two drawings,
 constexpr double kLeastPart = 12;      // and where one has it cut off
 constexpr float kMostSeen = 0.5f;      // of a place, to know that there is no such detail there
@@ -53,7 +53,7 @@ bool may_be_part(const Detail& a, const Detail& b) {
   return a.area * (a.drawn->whole ? kMostRatio : kLeastPart) > b.area;
 }
 bool alike(const Detail& a, const Detail& b) {
-  return unlikeness(a.drawn->colour, b.drawn->colour) < kAlike && may_be_part(a, b) &&
+  return unlikeness(a.drawn->colour, b.drawn->colour) < kOneDetail && may_be_part(a, b) &&
          may_be_part(b, a);
 }
 
@@ -265,7 +265,7 @@ void keep_details_once(const Mesh& mesh, const FaceNeighbours& neighbours, Drawn
     if (!view.mirrored)
       found[view.sketch].details = drawn_details(surface.sketches[view.sketch],
                                                  kLargest * size * view.camera.pixels_per_unit(0),
-                                                 kStep * size, found[view.sketch].label);
+                                                 kDepthEdge * size, found[view.sketch].label);
   std::vector<std::vector<Detail>> all;  // each as the views show it
   std::vector<Detail> known;             // the first of each
   for (int view = 0; view < int(surface.views.size()); ++view) {

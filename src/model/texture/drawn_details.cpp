@@ -9,9 +9,9 @@
 namespace artisketch {
 namespace {
 
-constexpr float kAlike = 0.2f;      // colours of one stretch
-constexpr float kStandsOut = 0.3f;  // from the ground round it
-constexpr double kGap = 0.06;       // of the largest detail: soft edges between what is one
+constexpr float kOneStretch = 0.2f;  // colours of one stretch
+constexpr float kStandsOut = 0.3f;   // from the ground round it
+constexpr double kGap = 0.06;        // of the largest detail: soft edges between what is one
 
 class Finder {
  public:
@@ -72,8 +72,8 @@ class Finder {
         each_beside(sketch_, pixels[head], [&](std::size_t q) {
           if (!shown(q) || stretch_[q] >= 0) return;
           const Rgb colour = rgb_of(sketch_.colour[q]);
-          if ((colour - mean).squaredNorm() >= kAlike * kAlike &&
-              unlikeness(colour, mean) >= kAlike)
+          if ((colour - mean).squaredNorm() >= kOneStretch * kOneStretch &&
+              unlikeness(colour, mean) >= kOneStretch)
             return;
           stretch_[q] = id;
           pixels.push_back(q);
