@@ -528,7 +528,8 @@ for (const [name, size] of Object.entries({
     await editor.frame();
     await editor.page.screenshot({path: join(shots, `${name.replace('outline', 'welcome')}.png`)});
     await editor.click('Gallery');
-    await editor.rest(0.5);
+    await editor.widget(/^Example Prince$/);
+    await editor.frame();
     await editor.page.screenshot({path: join(shots, `${name.replace('outline', 'gallery')}.png`)});
     await openHero(editor);
     await editor.rest(0.5);
