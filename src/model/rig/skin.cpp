@@ -14,8 +14,8 @@ namespace artisketch {
 namespace {
 
 // c in H = c / r²: nine tenths of the change from one bone to the next take place over about one
-// radius. Pinocchio has 1: three radii, over which posed limbs lose their silhouettes.
-constexpr double kHeat = 9;
+// radius and a half. Pinocchio has 1: three radii, over which posed limbs lose their silhouettes.
+constexpr double kHeat = 7;
 // A vertex listens to all parts whose surfaces and bones lie hardly further off than the nearest
 // one's, in shares of the limb's radius: the step from one part to the next must not fall between
 // two neighbouring vertices, or else a bend tears teeth along it.
@@ -24,17 +24,29 @@ constexpr double kAcross = 0.5;        // of bones
 constexpr double kGrowth = 0.5;        // of a limb's radius, per way along the surface
 constexpr double kLeastWeight = 1e-3;  // less is left out
 
-// The radius of the largest ball inside the part that touches its surface at p, from inside.
-double limb_radius(const Body& body, int part, double thickness, const Vec3& p,
+// Half the shortest way across the limbs from p on their surface, straight inward and about that
+// (the shape diameter of Shapira et al. 2008). Samples far inside a part say that they are, and not
+// how deep: their distance only tells how far one can go without leaving it.
+double limb_radius(const Body& body, std::span<const int> limbs, double thickness, const Vec3& p,
                    const Vec3& inward) {
-  // Along the normal the depth grows as the way does until the ball's centre.
-  const double least = thickness / 16;
-  double low = least, high = thickness;
-  for (int i = 0; i < 6; ++i) {
-    const double middle = std::sqrt(low * high);
-    (-body.part_distance(part, p + middle * inward) > 0.8 * middle ? low : high) = middle;
+  constexpr double kTilt = 0.6;        // tangent of the cone's half angle
+  const double least = thickness / 8;  // a cell or so
+  const Vec3 across = inward.unitOrthogonal(), up = inward.cross(across);
+  double radius = BlockGrid::kOutside;
+  for (const Vec3& tilt : {Vec3(Vec3::Zero()), across, Vec3(-across), up, Vec3(-up)}) {
+    const Vec3 way = (inward + kTilt * tilt).normalized();
+    double gone = least;  // p may lie a little outside
+    while (gone < 2 * radius) {
+      const Vec3 here = p + gone * way;
+      double deep = 0;  // in the first limb that holds it
+      for (std::size_t i = 0; i < limbs.size() && deep <= 0; ++i)
+        deep = -body.part_distance(limbs[i], here);
+      if (deep <= 0) break;
+      gone += std::max(deep, least);
+    }
+    radius = std::min(radius, gone / 2);
   }
-  return low;
+  return radius;
 }
 
 struct Listening {
@@ -52,7 +64,10 @@ Listening listening(const Body& body, const PartTree& tree, const Vec3& p, const
     distance[i] = body.part_distance(i, p);
     if (nearest < 0 || distance[i] < least) nearest = i, least = distance[i];
   }
-  const double radius = limb_radius(body, nearest, tree.nodes[nearest].thickness, p, -normal);
+  std::vector<int> limbs = {nearest};
+  for (int i = 0; i < body.size(); ++i)
+    if (i != nearest && tree.nodes[i].solid && tree.adjacent(i, nearest)) limbs.push_back(i);
+  const double radius = limb_radius(body, limbs, tree.nodes[nearest].thickness, p, -normal);
   result.radius = radius;
   // Shares fall to nothing as a part's surface comes to lie kTogether further off than the nearest,
   // and as its bones come to lie kAcross further off.

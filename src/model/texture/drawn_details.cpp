@@ -103,8 +103,8 @@ class Finder {
     return Vec2(double(p % sketch_.width) + 0.5, double(p / sketch_.width) + 0.5);
   }
   // With what isn't ground within so many steps.
-  std::vector<std::size_t> grown_within(std::vector<std::size_t> pixels, int steps) {
-    std::vector<std::size_t> out = grown(sketch_, std::move(pixels), steps);
+  std::vector<std::size_t> grown_within(const std::vector<std::size_t>& pixels, int steps) {
+    std::vector<std::size_t> out = grown(sketch_, pixels, steps);
     std::erase_if(out, [&](std::size_t p) { return stretch_[p] < 0 || !small_[stretch_[p]]; });
     return out;
   }
@@ -165,17 +165,38 @@ std::vector<DrawnDetail> drawn_details(const Sketch& sketch, double largest, dou
   return Finder(sketch, largest, step, label).details();
 }
 
-std::vector<std::size_t> grown(const Sketch& sketch, std::vector<std::size_t> pixels, int steps) {
-  std::sort(pixels.begin(), pixels.end());
-  for (int step = 0; step < steps; ++step) {
-    std::vector<std::size_t> more = pixels;
-    for (const std::size_t p : pixels)
-      each_beside(sketch, p, [&](std::size_t q) { more.push_back(q); });
-    std::sort(more.begin(), more.end());
-    more.erase(std::unique(more.begin(), more.end()), more.end());
-    pixels = std::move(more);
+std::vector<std::size_t> grown(const Sketch& sketch, const std::vector<std::size_t>& pixels,
+                               int steps) {
+  const int w = sketch.width, h = sketch.height;
+  int left = w, top = h, right = 0, bottom = 0;  // the last ones left out
+  for (const std::size_t p : pixels) {
+    const int x = int(p % w), y = int(p / w);
+    left = std::min(left, std::max(x - steps, 0));
+    top = std::min(top, std::max(y - steps, 0));
+    right = std::max(right, std::min(x + steps + 1, w));
+    bottom = std::max(bottom, std::min(y + steps + 1, h));
   }
-  return pixels;
+  std::vector<std::size_t> out, front = pixels, next;
+  std::vector<std::uint8_t> in(std::size_t(std::max(right - left, 0)) * std::max(bottom - top, 0),
+                               0);
+  const auto mark = [&](std::size_t p) -> std::uint8_t& {
+    return in[(p / w - top) * (right - left) + (p % w - left)];
+  };
+  for (const std::size_t p : pixels) mark(p) = 1;
+  for (int step = 0; step < steps; ++step) {
+    next.clear();
+    for (const std::size_t p : front)
+      each_beside(sketch, p, [&](std::size_t q) {
+        if (mark(q)) return;
+        mark(q) = 1;
+        next.push_back(q);
+      });
+    std::swap(front, next);
+  }
+  for (int y = top; y < bottom; ++y)
+    for (int x = left; x < right; ++x)
+      if (const std::size_t p = std::size_t(y) * w + x; mark(p)) out.push_back(p);
+  return out;
 }
 
 }  // namespace artisketch

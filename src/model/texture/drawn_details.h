@@ -32,7 +32,8 @@ void each_beside(const Sketch& sketch, std::size_t p, const Visit& visit) {
   if (y + 1 < std::size_t(sketch.height)) visit(p + width);
 }
 
-// The pixels within so many pixels of some, by steps to the side.
-std::vector<std::size_t> grown(const Sketch& sketch, std::vector<std::size_t> pixels, int steps);
+// The pixels within so many steps to the side of some, ascending.
+std::vector<std::size_t> grown(const Sketch& sketch, const std::vector<std::size_t>& pixels,
+                               int steps);
 
 }  // namespace artisketch

@@ -142,6 +142,23 @@ TEST(Skin, NoNeighboursStandOnTwoSidesOfAnElbow) {
   }
 }
 
+// The parts' samples are cut off a few cells below their surface: a trunk isn't as thin as that,
+// and bends over its whole width.
+TEST(Skin, IsTheSameWhereSamplesTellNoDepth) {
+  const Figure figure = human(0);
+  Skinned s = skinned(figure);
+  for (PartSurface& part : s.parts)
+    for (float& distance : part.distance.values)
+      distance = std::max(distance, float(-3 * part.distance.cell));
+  artisketch::Run run;
+  const Weights cut = skin(s.document, s.parts, s.mesh, run).value();
+  for (const char* name : {"hips", "thigh.L", "upper_arm.L", "forearm.R", "shin.R"}) {
+    const int joint = figure.skeleton.find(name);
+    EXPECT_LT((of_joint(cut, joint) - of_joint(s.weights, joint)).cwiseAbs().maxCoeff(), 0.1)
+        << name;
+  }
+}
+
 TEST(Skin, AFingerNeverPullsTheOtherThigh) {
   const Figure figure = human(0);
   const Skinned s = skinned(figure);
