@@ -180,6 +180,18 @@ class Equations {
   Eigen::VectorXd diagonal_, right_;
 };
 
+// Leaves no place where the surface passes through itself, and no more folds than so many; false
+// where it can't. Mending either may bring on the other.
+bool mend(Mesh& mesh, std::size_t most_folds) {
+  constexpr int kRounds = 3;
+  for (int round = 0; round < kRounds; ++round) {
+    unfold(mesh);
+    if (resolve_self_intersections(mesh) > 0) return false;
+    if (folds(mesh, face_neighbours(mesh.F)).size() <= most_folds) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void snap_rims(const Document& calibrated, std::span<const Part> parts, const Weights& weights,
@@ -193,6 +205,7 @@ void snap_rims(const Document& calibrated, std::span<const Part> parts, const We
     for (Target& target : targets) target.pose(over, weights, skeleton);
     return overlap(targets);
   };
+  const std::size_t folded = folds(mesh, face_neighbours(mesh.F)).size();
   double best = lay(mesh);
   Mesh moved = mesh;
   for (int pass = 0; pass < kPasses && !run.cancelled(); ++pass) {
@@ -204,8 +217,7 @@ void snap_rims(const Document& calibrated, std::span<const Part> parts, const We
     const Adjacency adjacency = vertex_adjacency(moved);  // edges may have been flipped
     const Eigen::VectorXd step = kDamping * pixel * Equations(adjacency, pulls, 1 / pixel).solve();
     moved.V += step.asDiagonal() * normals;
-    unfold(moved);
-    if (resolve_self_intersections(moved) > 0) break;
+    if (!mend(moved, folded)) break;
     const double now = lay(moved);
     if (now <= best) break;
     best = now;
