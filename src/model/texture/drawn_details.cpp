@@ -142,8 +142,13 @@ class Finder {
         ground += rgb_of(sketch_.colour[p]);
         ++round;
       }
+    // Pixel by pixel: an eye's white and its pupil are together much like skin.
+    float unlike = 0;
+    for (const std::size_t p : pixels)
+      if (core_[stretch_[p]])
+        unlike += unlikeness(rgb_of(sketch_.colour[p]), ground / float(round));
     detail.pixels = std::move(pixels);
-    if (round > 0 && unlikeness(detail.colour, ground / float(round)) >= kStandsOut) {
+    if (round > 0 && unlike >= kStandsOut * float(own)) {
       out.push_back(std::move(detail));
     } else {
       for (const std::size_t p : detail.pixels) label_[p] = -1;
