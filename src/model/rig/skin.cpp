@@ -30,13 +30,14 @@ constexpr double kLeastWeight = 1e-3;  // less is left out
 double limb_radius(const Body& body, std::span<const int> limbs, double thickness, const Vec3& p,
                    const Vec3& inward) {
   constexpr double kTilt = 0.6;        // tangent of the cone's half angle
+  constexpr int kMostSteps = 400;      // where a vertex has no normal
   const double least = thickness / 8;  // a cell or so
   const Vec3 across = inward.unitOrthogonal(), up = inward.cross(across);
   double radius = BlockGrid::kOutside;
   for (const Vec3& tilt : {Vec3(Vec3::Zero()), across, Vec3(-across), up, Vec3(-up)}) {
     const Vec3 way = (inward + kTilt * tilt).normalized();
     double gone = least;  // p may lie a little outside
-    while (gone < 2 * radius) {
+    for (int step = 0; step < kMostSteps && gone < 2 * radius; ++step) {
       const Vec3 here = p + gone * way;
       double deep = 0;  // in the first limb that holds it
       for (std::size_t i = 0; i < limbs.size() && deep <= 0; ++i)
@@ -64,11 +65,14 @@ Listening listening(const Body& body, const PartTree& tree, const Vec3& p, const
     distance[i] = body.part_distance(i, p);
     if (nearest < 0 || distance[i] < least) nearest = i, least = distance[i];
   }
+  // Its own limb says who shares it, all that runs together there over how long a way that changes:
+  // where a part ends within its neighbour, it is thin by itself.
   std::vector<int> limbs = {nearest};
   for (int i = 0; i < body.size(); ++i)
     if (i != nearest && tree.nodes[i].solid && tree.adjacent(i, nearest)) limbs.push_back(i);
-  const double radius = limb_radius(body, limbs, tree.nodes[nearest].thickness, p, -normal);
-  result.radius = radius;
+  const double radius =
+      limb_radius(body, std::span(limbs).first(1), tree.nodes[nearest].thickness, p, -normal);
+  result.radius = limb_radius(body, limbs, tree.nodes[nearest].thickness, p, -normal);
   // Shares fall to nothing as a part's surface comes to lie kTogether further off than the nearest,
   // and as its bones come to lie kAcross further off.
   double to_bone = BlockGrid::kOutside;

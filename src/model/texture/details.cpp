@@ -17,6 +17,7 @@ constexpr double kAstray = 0.1;   // how far apart two drawings may lay the same
 // Where the model's depth is off, the detail is where the drawings' rays meet: so near to each
 // other, and so far from where the model has them.
 constexpr double kMeet = 0.025, kDeep = 0.15;
+constexpr double kTogether = 0.25;     // of its width: from there on a detail lies beside itself
 constexpr int kPattern = 4;            // alike details so near each other, itself among them
 constexpr double kDepthEdge = 0.02;    // of depth between neighbours that is an edge
 constexpr double kAway = 0.015;        // how far a detail's line and blur reach
@@ -200,6 +201,11 @@ std::vector<int> with_rings(std::vector<int> faces, const FaceNeighbours& neighb
   return faces;
 }
 
+// Whether both lie so nearly on one place that no seam between their drawings shows.
+bool lie_together(const Detail& a, const Detail& b) {
+  return (a.middle - b.middle).norm() < kTogether * std::sqrt(std::min(a.area, b.area));
+}
+
 // The one to keep: the earliest of those that are seen whole and nearly best. None where no drawing
 // shows it whole, as the tip of an ear, whose sides they show by turns.
 const Detail* best_of(const std::vector<Detail>& same) {
@@ -286,7 +292,7 @@ void keep_details_once(const Mesh& mesh, const FaceNeighbours& neighbours, Drawn
     if (!kept) continue;
     const std::vector<int> place = with_rings(kept->faces, neighbours);
     for (const Detail& one : same) {
-      if (one.view == kept->view) continue;
+      if (one.view == kept->view || lie_together(one, *kept)) continue;
       SurfaceView& view = surface.views[one.view];
       // A mirror image has no pixels of its own: painting over it would take away the original.
       if (view.mirrored) {
