@@ -216,7 +216,7 @@ class Spread {
       const Vec3 here = stretched(v);
       for (const Voter& voter : voters[part(v)]) {
         const double near = floor * floor / ((voter.place - here).squaredNorm() + floor * floor);
-        sum[voter.label] += voter.weight * float(near * near * near);
+        sum[voter.label] += voter.weight * float(near * near * near * near * near);
       }
       float all = 0;
       for (const float one : sum) all += one;
