@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/face_neighbours.h"
 #include "base/self_intersection.h"
+#include "model/consolidate/unfold.h"
 
 namespace artisketch {
 
@@ -48,6 +50,17 @@ int resolve_self_intersections(Mesh& mesh) {
     }
     for (const int v : moving) mesh.V.row(v) = mesh.V.row(v).unaryExpr(rounded);
   }
+}
+
+int mend_surface(Mesh& mesh) {
+  constexpr int kTurns = 3;
+  int left = 0;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    unfold(mesh);
+    left = resolve_self_intersections(mesh);
+    if (folds(mesh, face_neighbours(mesh.F)).empty()) break;
+  }
+  return left;
 }
 
 }  // namespace artisketch

@@ -10,4 +10,9 @@ namespace artisketch {
 // not cross in a file either. Returns how many pairs of triangles still cross.
 int resolve_self_intersections(Mesh& mesh);
 
+// Unfolds the surface (unfold.h) and resolves its self-intersections in turn, since mending either
+// may bring on the other, until it has none of both or a few rounds are over. mesh: a closed
+// 2-manifold. Returns how many pairs of triangles still pass through each other.
+int mend_surface(Mesh& mesh);
+
 }  // namespace artisketch

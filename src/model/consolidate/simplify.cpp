@@ -8,7 +8,6 @@
 #include "base/coarsen.h"
 #include "model/consolidate/quadric_collapse.h"
 #include "model/consolidate/resolve_self_intersections.h"
-#include "model/consolidate/unfold.h"
 #include "model/stages.h"
 
 namespace artisketch {
@@ -39,8 +38,7 @@ Mesh simplified(const Mesh& mesh, int triangles, double error) {
     const double even = std::max(more * triangles, mesh.F.rows() / 6.0);
     Mesh fewer =
         collapsed(mesh.F.rows() > even ? coarsened(mesh, int(even / 2)) : mesh, triangles, error);
-    unfold(fewer);
-    const std::size_t crossings = std::size_t(resolve_self_intersections(fewer));
+    const std::size_t crossings = std::size_t(mend_surface(fewer));
     if (crossings < least) least = crossings, best = std::move(fewer);
     if (least == 0) break;
   }

@@ -180,18 +180,6 @@ class Equations {
   Eigen::VectorXd diagonal_, right_;
 };
 
-// Leaves no place where the surface passes through itself, and no more folds than so many; false
-// where it can't. Mending either may bring on the other.
-bool mend(Mesh& mesh, std::size_t most_folds) {
-  constexpr int kRounds = 3;
-  for (int round = 0; round < kRounds; ++round) {
-    unfold(mesh);
-    if (resolve_self_intersections(mesh) > 0) return false;
-    if (folds(mesh, face_neighbours(mesh.F)).size() <= most_folds) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 void snap_rims(const Document& calibrated, std::span<const Part> parts, const Weights& weights,
@@ -217,7 +205,8 @@ void snap_rims(const Document& calibrated, std::span<const Part> parts, const We
     const Adjacency adjacency = vertex_adjacency(moved);  // edges may have been flipped
     const Eigen::VectorXd step = kDamping * pixel * Equations(adjacency, pulls, 1 / pixel).solve();
     moved.V += step.asDiagonal() * normals;
-    if (!mend(moved, folded)) break;
+    if (mend_surface(moved) > 0) break;
+    if (folds(moved, face_neighbours(moved.F)).size() > folded) break;
     const double now = lay(moved);
     if (now <= best) break;
     best = now;
