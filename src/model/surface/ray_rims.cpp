@@ -66,6 +66,31 @@ class ArcLength {
   std::vector<double> at_;
 };
 
+// Of tips of ears, fingers and tufts, equally spaced rays show next to nothing: the line turns
+// round them between two.
+void add_tips(const Silhouette& silhouette, const ArcLength& arc, double spacing, RayRim& rim) {
+  constexpr double kTurn = 0.5;  // cosine of what the outline turns from one ray to the next
+  const int n = int(rim.rays.size());
+  for (int i = 0; i < n; ++i) {
+    const RimRay &a = rim.rays[i], &b = rim.rays[(i + 1) % n];
+    const bool convex = (b.pixel - a.pixel).dot(b.outward - a.outward) > 0;
+    if (!convex || a.outward.dot(b.outward) > kTurn) continue;
+    for (const double share : {0.25, 0.5, 0.75}) {
+      TipRay tip;
+      tip.after = i;
+      tip.share = share;
+      tip.ray.pixel = arc.point((i + share) * spacing);
+      const Vec2 along =
+          arc.point((i + share + 0.1) * spacing) - arc.point((i + share - 0.1) * spacing);
+      if (!(along.norm() > 1e-9)) continue;
+      tip.ray.outward = Vec2(along.y(), -along.x()).normalized();
+      if (tip.ray.outward.dot(a.outward + b.outward) < 0) tip.ray.outward = -tip.ray.outward;
+      tip.ray.ray = silhouette.view->ray(tip.ray.pixel);
+      rim.tips.push_back(tip);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<RayRim> outline_rays(const Silhouette& silhouette, int count) {
@@ -95,6 +120,7 @@ std::vector<RayRim> outline_rays(const Silhouette& silhouette, int count) {
     }
     if (votes < 0)
       for (RimRay& ray : rim.rays) ray.outward = -ray.outward;
+    if (int(rim.rays.size()) == n) add_tips(silhouette, arc, spacing, rim);
     if (rim.rays.size() >= 3) rims.push_back(std::move(rim));
   }
   return rims;
@@ -206,19 +232,27 @@ void detect_depths(const Carving& carving, const Box3& box, const HermiteSurface
 
 std::vector<SurfacePoint> surface_points(const Carving& carving, const std::vector<RayRim>& rims,
                                          int stride) {
+  constexpr double kMostDoubt = 0.5;  // else where a tip lies is a guess
   std::vector<SurfacePoint> points;
   for (const RayRim& rim : rims) {
     const PartView& view = *carving.views[rim.view].view;
-    for (std::size_t i = 0; i < rim.rays.size(); i += std::size_t(stride)) {
-      const RimRay& ray = rim.rays[i];
-      const Vec3 p = ray.ray.at(ray.depth);
+    const auto add = [&](const RimRay& ray, double depth) {
+      const Vec3 p = ray.ray.at(depth);
       const Vec3 X = view.to_world * p;
       const Vec3 along =
           view.to_world.linear().transpose() * (view.camera.jacobian(X).transpose() * ray.outward);
-      if (!(along.norm() > 0)) continue;
+      if (!(along.norm() > 0)) return;
       const Vec3 n = along.normalized();
       points.push_back({p, n, (ray.ray.direction - ray.ray.direction.dot(n) * n).normalized(),
                         carving.views[rim.view].trust});
+    };
+    for (std::size_t i = 0; i < rim.rays.size(); i += std::size_t(stride))
+      add(rim.rays[i], rim.rays[i].depth);
+    if (stride > 1 || rim.doubt > kMostDoubt) continue;
+    for (const TipRay& tip : rim.tips) {
+      const double before = rim.rays[tip.after].depth,
+                   after = rim.rays[(tip.after + 1) % rim.rays.size()].depth;
+      add(tip.ray, before + tip.share * (after - before));
     }
   }
   const std::size_t all = points.size();

@@ -18,11 +18,19 @@ struct RimRay {
   double sheet = 0;  // the depth at which it meets the part's middle sheet (inflate.h)
 };
 
+// A ray between two of a rim's, as deep as these are.
+struct TipRay {
+  RimRay ray;        // depth unset
+  int after = 0;     // the ray before it
+  double share = 0;  // 0 … 1: of the way from there to the next one
+};
+
 // One closed line of one view.
 struct RayRim {
   int view = 0;              // index into the carving's views
   double doubt = 0;          // 0 … 1: how much the other views leave the depths open
   std::vector<RimRay> rays;  // in order around the line; the last is next to the first
+  std::vector<TipRay> tips;  // where the line turns round a tip, which the rays pass by
 };
 
 // The rays of an outline's closed lines, about `count` in all, at equal steps along the lines;
@@ -40,9 +48,9 @@ void choose_depths(const Carving& carving, const Box3& box, RayRim& rim);
 // tells one depth from another.
 void detect_depths(const Carving& carving, const Box3& box, const HermiteSurface& f, RayRim& rim);
 
-// Every stride-th of the rims' points with the outlines' normals, back-projected; of more than
-// kMostSurfacePoints so many, evenly: a dozen drawings have fewer, and the surface through them is
-// found from a dense system.
+// Every stride-th of the rims' points, and without a stride those at tips, with the outlines'
+// normals, back-projected; of more than kMostSurfacePoints so many, evenly: a dozen drawings have
+// fewer, and the surface through them is found from a dense system.
 inline constexpr std::size_t kMostSurfacePoints = 1200;
 std::vector<SurfacePoint> surface_points(const Carving& carving, const std::vector<RayRim>& rims,
                                          int stride = 1);

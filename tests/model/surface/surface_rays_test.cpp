@@ -1,3 +1,4 @@
+#include <array>
 #include <atomic>
 #include <cmath>
 
@@ -223,6 +224,33 @@ TEST(SurfaceRays, EarsStayWhereTheDepthIsAGuess) {
       (surface.mesh.V(v, 0) < 0 ? left : right) =
           std::max(surface.mesh.V(v, 0) < 0 ? left : right, surface.mesh.V(v, 1));
     EXPECT_GT(std::min(left, right), 1.2) << degrees;
+  }
+}
+
+// The rays are equally far from each other along an outline, and tips that lie between two have
+// more.
+TEST(SurfaceRays, NoTipIsPassedBy) {
+  const Part part =
+      drawn::part({{from_front(), {eared_ball(0)}, {}}, {from_right(), {eared_ball(90)}, {}}});
+  const Result<Carving> carving = carving_of(part, 64);
+  ASSERT_TRUE(carving);
+  const Polyline& outline = part.views[0].contours[0];
+  Box2 box;
+  for (const Vec2& p : outline.points) box.extend(p);
+  std::array<Vec2, 2> tips = {box.max(), box.max()};
+  for (const Vec2& p : outline.points)
+    if (Vec2& tip = tips[p.x() > box.center().x()]; p.y() < tip.y()) tip = p;
+  for (const int count : {29, 32, 37, 41, 50}) {
+    const std::vector<RayRim> rims = outline_rays(carving->views[0], count);
+    ASSERT_EQ(rims.size(), 1u);
+    const double spacing = length(outline) / double(rims[0].rays.size());
+    for (const Vec2& tip : tips) {
+      double nearest = box.sizes().norm();
+      for (const RimRay& ray : rims[0].rays) nearest = std::min(nearest, (ray.pixel - tip).norm());
+      for (const TipRay& one : rims[0].tips)
+        nearest = std::min(nearest, (one.ray.pixel - tip).norm());
+      EXPECT_LT(nearest, 0.2 * spacing) << count;
+    }
   }
 }
 
