@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "model/texture/drawn_details.h"
 #include "model/texture/unlikeness.h"
@@ -43,12 +44,6 @@ struct Detail {
   bool pattern = false;  // one of several alike: which is which in another drawing can't be told
 };
 
-// A drawing's details.
-struct Found {
-  std::vector<DrawnDetail> details;
-  std::vector<int> label;  // of each pixel; −1: none
-};
-
 // What isn't whole may be any smaller part of the other.
 bool may_be_part(const Detail& a, const Detail& b) {
   return a.area * (a.drawn->whole ? kMostRatio : kLeastPart) > b.area;
@@ -59,10 +54,11 @@ bool alike(const Detail& a, const Detail& b) {
 }
 
 std::vector<Detail> details_in(const Mesh& mesh, const DrawnSurface& surface, int index,
-                               const Found& found, double size) {
+                               const std::vector<DrawnDetail>& drawn, std::span<const int> label,
+                               double size) {
   const SurfaceView& view = surface.views[index];
   const Sketch& sketch = surface.sketches[view.sketch];
-  std::vector<Detail> all(found.details.size());
+  std::vector<Detail> all(drawn.size());
   for (int f = 0; f < mesh.F.rows(); ++f) {
     if (view.quality[f] <= 0) continue;
     Vec2 pixel = Vec2::Zero();
@@ -74,9 +70,9 @@ std::vector<Detail> details_in(const Mesh& mesh, const DrawnSurface& surface, in
     if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < sketch.width &&
           pixel.y() < sketch.height))
       continue;
-    const int label = found.label[std::size_t(pixel.y()) * sketch.width + std::size_t(pixel.x())];
-    if (label < 0) continue;
-    Detail& detail = all[label];
+    const int which = label[std::size_t(pixel.y()) * sketch.width + std::size_t(pixel.x())];
+    if (which < 0) continue;
+    Detail& detail = all[which];
     detail.faces.push_back(f);
     detail.middle += middle;
     detail.quality += view.quality[f];
@@ -86,7 +82,7 @@ std::vector<Detail> details_in(const Mesh& mesh, const DrawnSurface& surface, in
     Detail& detail = all[i];
     if (detail.faces.empty()) continue;
     detail.view = index;
-    detail.drawn = &found.details[i];
+    detail.drawn = &drawn[i];
     detail.middle /= double(detail.faces.size());
     detail.quality /= float(detail.faces.size());
     detail.ray = view.ray(detail.drawn->middle, detail.drawn->joint);
@@ -266,17 +262,24 @@ void paint_over(const std::vector<std::size_t>& pixels, Sketch& sketch) {
 
 void keep_details_once(const Mesh& mesh, const FaceNeighbours& neighbours, DrawnSurface& surface) {
   const double size = bounds(mesh.V).sizes().norm();
-  std::vector<Found> found(surface.sketches.size());
-  for (const SurfaceView& view : surface.views)
-    if (!view.mirrored)
-      found[view.sketch].details = drawn_details(surface.sketches[view.sketch],
-                                                 kLargest * size * view.camera.pixels_per_unit(0),
-                                                 kDepthEdge * size, found[view.sketch].label);
+  std::vector<std::vector<DrawnDetail>> drawn(surface.sketches.size());
+  std::vector<std::vector<Detail>> found(surface.views.size());
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    std::vector<int> label;
+    for (std::size_t v = 0; v < found.size(); ++v) {
+      const SurfaceView& view = surface.views[v];
+      if (view.sketch != int(i)) continue;
+      if (label.empty())
+        drawn[i] =
+            drawn_details(surface.sketches[i], kLargest * size * view.camera.pixels_per_unit(0),
+                          kDepthEdge * size, label);
+      found[v] = details_in(mesh, surface, int(v), drawn[i], label, size);
+    }
+  }
   std::vector<std::vector<Detail>> all;  // each as the views show it
   std::vector<Detail> known;             // the first of each
   for (int view = 0; view < int(surface.views.size()); ++view) {
-    std::vector<Detail> here =
-        details_in(mesh, surface, view, found[surface.views[view].sketch], size);
+    std::vector<Detail>& here = found[view];
     const Match match(known, here, surface, size);
     for (std::size_t i = 0; i < here.size(); ++i) {
       if (const int k = match.of(i); k >= 0) {
@@ -299,7 +302,8 @@ void keep_details_once(const Mesh& mesh, const FaceNeighbours& neighbours, Drawn
         for (const int f : with_rings(one.faces, neighbours)) view.quality[f] = 0;
       } else {
         Sketch& sketch = surface.sketches[view.sketch];
-        const int steps = int(kAway * size * view.camera.pixels_per_unit(0) + 0.5);
+        const double away = kAway * size * view.camera.pixels_per_unit(0);
+        const int steps = int(std::min(away + 0.5, double(std::max(sketch.width, sketch.height))));
         paint_over(grown(sketch, one.drawn->pixels, steps), sketch);
       }
       for (const int f : place) view.quality[f] = 0;

@@ -11,37 +11,36 @@ namespace {
 
 constexpr float kOneStretch = 0.2f;  // colours of one stretch
 constexpr float kStandsOut = 0.3f;   // from the ground round it
+constexpr double kSmallest = 0.05;   // of the largest detail; what is smaller is grain
 constexpr double kGap = 0.06;        // of the largest detail: soft edges between what is one
 
 class Finder {
  public:
-  Finder(const Sketch& sketch, double largest, double step, std::vector<int>& label)
-      : sketch_(sketch),
-        largest_(largest),
-        step_(step),
-        label_(label),
-        stretch_(sketch.state.size(), -1) {
-    label.assign(sketch.state.size(), -1);
+  // stretch: filled, of each pixel
+  Finder(const Sketch& sketch, double largest, double step, std::vector<int>& stretch)
+      : sketch_(sketch), largest_(largest), step_(step), stretch_(stretch) {
+    stretch.assign(sketch.state.size(), -1);
   }
   std::vector<DrawnDetail> details() {
     find_stretches();
     // What is small and hangs together is one: an eye's white, its iris and its ring. So may an
     // eye, a brow and the line of the hair: where all is too large, each is one by itself.
     std::vector<DrawnDetail> out;
-    const int gap = std::max(1, int(kGap * largest_ + 0.5));
-    std::vector<std::uint8_t> done(stretches_.size(), 0);
-    for (std::size_t seed = 0; seed < stretches_.size(); ++seed) {
-      if (done[seed] || !is_core(seed)) continue;
+    const double most = std::max(sketch_.width, sketch_.height);
+    const int gap = std::max(1, int(std::min(kGap * largest_, most) + 0.5));
+    std::vector<std::uint8_t> done(cores_.size(), 0);
+    for (std::size_t seed = 0; seed < cores_.size(); ++seed) {
+      if (done[seed]) continue;
       std::vector<std::size_t> together = {seed};
       std::vector<std::size_t> all;
       done[seed] = 1;
       for (std::size_t head = 0; head < together.size(); ++head) {
-        const auto round = grown_within(stretches_[together[head]], gap);
+        const auto round = grown_within(cores_[together[head]].pixels, gap);
         for (const std::size_t p : round) {
-          const std::size_t other = std::size_t(stretch_[p]);
-          if (done[other] || !is_core(other)) continue;
+          const int other = core_at(p);
+          if (other < 0 || done[other]) continue;
           done[other] = 1;
-          together.push_back(other);
+          together.push_back(std::size_t(other));
         }
         all.insert(all.end(), round.begin(), round.end());
       }
@@ -50,20 +49,26 @@ class Finder {
       if (extent(all) <= largest_)
         add(std::move(all), out);
       else
-        for (const std::size_t one : together) add(grown_within(stretches_[one], gap), out);
+        for (const std::size_t one : together) add(grown_within(cores_[one].pixels, gap), out);
     }
     return out;
   }
 
  private:
+  // A stretch that may be a detail, or of one. Slivers are the soft edges of something else.
+  struct Core {
+    int stretch = 0;
+    std::vector<std::size_t> pixels;
+  };
   bool shown(std::size_t p) const {
     return sketch_.state[p] != Sketch::nothing && sketch_.joint[p] >= 0;
   }
   void find_stretches() {
+    std::vector<std::size_t> pixels;
     for (std::size_t seed = 0; seed < stretch_.size(); ++seed) {
       if (!shown(seed) || stretch_[seed] >= 0) continue;
-      const int id = int(stretches_.size());
-      std::vector<std::size_t> pixels = {seed};
+      const int id = int(small_.size());
+      pixels = {seed};
       stretch_[seed] = id;
       Rgb sum = Rgb::Zero();
       for (std::size_t head = 0; head < pixels.size(); ++head) {
@@ -79,21 +84,31 @@ class Finder {
           pixels.push_back(q);
         });
       }
-      small_.push_back(extent(pixels) <= largest_);
-      stretches_.push_back(std::move(pixels));
-    }
-    core_.assign(stretches_.size(), 0);
-    const std::size_t width = sketch_.width;
-    for (std::size_t p = width + 1; p + width + 1 < stretch_.size(); ++p) {
-      if (stretch_[p] < 0 || core_[stretch_[p]]) continue;
-      bool all = true;
-      for (const std::size_t row : {p - width, p, p + width})
-        for (const std::size_t q : {row - 1, row, row + 1}) all = all && stretch_[q] == stretch_[p];
-      if (all) core_[stretch_[p]] = 1;
+      const double size = extent(pixels);
+      small_.push_back(size <= largest_);
+      if (size <= largest_ && size >= kSmallest * largest_ && is_thick(pixels))
+        cores_.push_back({id, pixels});
     }
   }
-  // Slivers are the soft edges of something else.
-  bool is_core(std::size_t stretch) const { return small_[stretch] && core_[stretch]; }
+  // Whether some pixel has all those round it with it.
+  bool is_thick(const std::vector<std::size_t>& pixels) const {
+    const std::size_t width = sketch_.width;
+    return std::any_of(pixels.begin(), pixels.end(), [&](std::size_t p) {
+      if (p < width + 1 || p + width + 1 >= stretch_.size()) return false;
+      for (const std::size_t row : {p - width, p, p + width})
+        for (const std::size_t q : {row - 1, row, row + 1})
+          if (stretch_[q] != stretch_[p]) return false;
+      return true;
+    });
+  }
+  // Which core a pixel is of, −1: none.
+  int core_at(std::size_t p) const {
+    const auto found =
+        std::lower_bound(cores_.begin(), cores_.end(), stretch_[p],
+                         [](const Core& core, int stretch) { return core.stretch < stretch; });
+    return found != cores_.end() && found->stretch == stretch_[p] ? int(found - cores_.begin())
+                                                                  : -1;
+  }
   double extent(const std::vector<std::size_t>& pixels) const {
     Box2 box;
     for (const std::size_t p : pixels) box.extend(place(p));
@@ -108,66 +123,61 @@ class Finder {
     std::erase_if(out, [&](std::size_t p) { return stretch_[p] < 0 || !small_[stretch_[p]]; });
     return out;
   }
+  // pixels: ascending
   void add(std::vector<std::size_t> pixels, std::vector<DrawnDetail>& out) {
-    const int id = int(out.size());
     DrawnDetail detail;
     std::map<int, int> joints;
-    int own = 0;
+    std::vector<Rgb> own;  // a soft edge has a colour that isn't its own
     for (const std::size_t p : pixels) {
-      label_[p] = id;
       detail.middle += place(p);
-      if (core_[stretch_[p]]) {  // a soft edge has a colour of its own
-        detail.colour += rgb_of(sketch_.colour[p]);
-        ++own;
-      }
+      if (core_at(p) >= 0) own.push_back(rgb_of(sketch_.colour[p]));
       ++joints[sketch_.joint[p]];
     }
     detail.middle /= double(pixels.size());
-    detail.colour /= float(own);
+    for (const Rgb& colour : own) detail.colour += colour / float(own.size());
     detail.joint = std::max_element(joints.begin(), joints.end(), [](const auto& a, const auto& b) {
                      return a.second < b.second;
                    })->first;
     for (const std::size_t p : pixels)
       each_beside(sketch_, p, [&](std::size_t q) {
-        if (label_[q] != id &&
-            !(shown(q) && std::abs(sketch_.depth[q] - sketch_.depth[p]) <= step_))
+        if (!(shown(q) && std::abs(sketch_.depth[q] - sketch_.depth[p]) <= step_) &&
+            !std::binary_search(pixels.begin(), pixels.end(), q))
           detail.whole = false;
       });
     // The ground lies beyond the soft edge.
     Rgb ground = Rgb::Zero();
     int round = 0;
-    std::vector<std::size_t> near = grown(sketch_, pixels, 1), beyond = grown(sketch_, near, 2);
-    for (const std::size_t p : beyond)
+    const std::vector<std::size_t> near = grown(sketch_, pixels, 1);
+    for (const std::size_t p : grown(sketch_, near, 2))
       if (shown(p) && !std::binary_search(near.begin(), near.end(), p)) {
         ground += rgb_of(sketch_.colour[p]);
         ++round;
       }
+    if (round == 0) return;
     // Pixel by pixel: an eye's white and its pupil are together much like skin.
     float unlike = 0;
-    for (const std::size_t p : pixels)
-      if (core_[stretch_[p]])
-        unlike += unlikeness(rgb_of(sketch_.colour[p]), ground / float(round));
+    for (const Rgb& colour : own) unlike += unlikeness(colour, ground / float(round));
+    if (unlike < kStandsOut * float(own.size())) return;
     detail.pixels = std::move(pixels);
-    if (round > 0 && unlike >= kStandsOut * float(own)) {
-      out.push_back(std::move(detail));
-    } else {
-      for (const std::size_t p : detail.pixels) label_[p] = -1;
-    }
+    out.push_back(std::move(detail));
   }
 
   const Sketch& sketch_;
   double largest_, step_;
-  std::vector<int>& label_;
-  std::vector<int> stretch_;  // of each pixel; −1: none
-  std::vector<std::vector<std::size_t>> stretches_;
-  std::vector<std::uint8_t> small_, core_;  // by stretch; core: thicker than a soft edge
+  std::vector<int>& stretch_;        // of each pixel; −1: none
+  std::vector<std::uint8_t> small_;  // by stretch
+  std::vector<Core> cores_;          // by stretch, ascending
 };
 
 }  // namespace
 
 std::vector<DrawnDetail> drawn_details(const Sketch& sketch, double largest, double step,
                                        std::vector<int>& label) {
-  return Finder(sketch, largest, step, label).details();
+  std::vector<DrawnDetail> details = Finder(sketch, largest, step, label).details();
+  std::fill(label.begin(), label.end(), -1);
+  for (std::size_t i = 0; i < details.size(); ++i)
+    for (const std::size_t p : details[i].pixels) label[p] = int(i);
+  return details;
 }
 
 std::vector<std::size_t> grown(const Sketch& sketch, const std::vector<std::size_t>& pixels,
