@@ -341,7 +341,7 @@ Result<Mesh> consolidated(const Document& document, std::span<const PartSurface>
     fair(body, sampled, spheres, projection, mesh);
   Mesh skin{mesh.V, split_quads(mesh.V, mesh.Q)};
   back_to_lattice(lattice, skin);
-  if (const int left = mend_surface(skin); left > 0)
+  if (const int left = mend_surface(skin).crossings; left > 0)
     warnings.push_back("the surface passes through itself in " + counted(left, "place") +
                        " where parts crowd together");
   run.report(1);

@@ -52,13 +52,14 @@ int resolve_self_intersections(Mesh& mesh) {
   }
 }
 
-int mend_surface(Mesh& mesh) {
+SurfaceFaults mend_surface(Mesh& mesh) {
   constexpr int kTurns = 3;
-  int left = 0;
+  SurfaceFaults left;
   for (int turn = 0; turn < kTurns; ++turn) {
     unfold(mesh);
-    left = resolve_self_intersections(mesh);
-    if (folds(mesh, face_neighbours(mesh.F)).empty()) break;
+    left.crossings = resolve_self_intersections(mesh);
+    left.folds = int(folds(mesh, face_neighbours(mesh.F)).size());
+    if (left.folds == 0) break;
   }
   return left;
 }

@@ -11,8 +11,12 @@ namespace artisketch {
 int resolve_self_intersections(Mesh& mesh);
 
 // Unfolds the surface (unfold.h) and resolves its self-intersections in turn, since mending either
-// may bring on the other, until it has none of both or a few rounds are over. mesh: a closed
-// 2-manifold. Returns how many pairs of triangles still pass through each other.
-int mend_surface(Mesh& mesh);
+// may bring on the other, until it has no folds or a few rounds are over. mesh: a closed
+// 2-manifold. Returns what is left.
+struct SurfaceFaults {
+  int crossings = 0;  // pairs of triangles that pass through each other
+  int folds = 0;      // edges that are folded
+};
+SurfaceFaults mend_surface(Mesh& mesh);
 
 }  // namespace artisketch

@@ -38,7 +38,7 @@ Mesh simplified(const Mesh& mesh, int triangles, double error) {
     const double even = std::max(more * triangles, mesh.F.rows() / 6.0);
     Mesh fewer =
         collapsed(mesh.F.rows() > even ? coarsened(mesh, int(even / 2)) : mesh, triangles, error);
-    const std::size_t crossings = std::size_t(mend_surface(fewer));
+    const std::size_t crossings = std::size_t(mend_surface(fewer).crossings);
     if (crossings < least) least = crossings, best = std::move(fewer);
     if (least == 0) break;
   }

@@ -14,7 +14,7 @@ namespace artisketch {
 namespace {
 
 // c in H = c / r²: nine tenths of the change from one bone to the next take place over about one
-// radius and a half. Pinocchio has 1: three radii, over which posed limbs lose their silhouettes.
+// radius. Pinocchio has 1: three radii, over which posed limbs lose their silhouettes.
 constexpr double kHeat = 7;
 // A vertex listens to all parts whose surfaces and bones lie hardly further off than the nearest
 // one's, in shares of the limb's radius: the step from one part to the next must not fall between

@@ -193,7 +193,7 @@ void snap_rims(const Document& calibrated, std::span<const Part> parts, const We
     for (Target& target : targets) target.pose(over, weights, skeleton);
     return overlap(targets);
   };
-  const std::size_t folded = folds(mesh, face_neighbours(mesh.F)).size();
+  const int folded = int(folds(mesh, face_neighbours(mesh.F)).size());
   double best = lay(mesh);
   Mesh moved = mesh;
   for (int pass = 0; pass < kPasses && !run.cancelled(); ++pass) {
@@ -205,8 +205,8 @@ void snap_rims(const Document& calibrated, std::span<const Part> parts, const We
     const Adjacency adjacency = vertex_adjacency(moved);  // edges may have been flipped
     const Eigen::VectorXd step = kDamping * pixel * Equations(adjacency, pulls, 1 / pixel).solve();
     moved.V += step.asDiagonal() * normals;
-    if (mend_surface(moved) > 0) break;
-    if (folds(moved, face_neighbours(moved.F)).size() > folded) break;
+    if (const SurfaceFaults left = mend_surface(moved); left.crossings > 0 || left.folds > folded)
+      break;
     const double now = lay(moved);
     if (now <= best) break;
     best = now;

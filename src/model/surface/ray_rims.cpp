@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Dense>
 
@@ -66,6 +67,19 @@ class ArcLength {
   std::vector<double> at_;
 };
 
+// The ray through an outline at so many spacings along it, its normal by the outline's run within
+// `reach` of them, on either side; nothing where it doesn't run on.
+std::optional<RimRay> ray_at(const Silhouette& silhouette, const ArcLength& arc, double spacing,
+                             double at, double reach) {
+  const Vec2 along = arc.point((at + reach) * spacing) - arc.point((at - reach) * spacing);
+  if (!(along.norm() > 1e-9)) return std::nullopt;
+  RimRay ray;
+  ray.pixel = arc.point(at * spacing);
+  ray.outward = Vec2(along.y(), -along.x()).normalized();
+  ray.ray = silhouette.view->ray(ray.pixel);
+  return ray;
+}
+
 // Of tips of ears, fingers and tufts, equally spaced rays show next to nothing: the line turns
 // round them between two.
 void add_tips(const Silhouette& silhouette, const ArcLength& arc, double spacing, RayRim& rim) {
@@ -76,17 +90,10 @@ void add_tips(const Silhouette& silhouette, const ArcLength& arc, double spacing
     const bool convex = (b.pixel - a.pixel).dot(b.outward - a.outward) > 0;
     if (!convex || a.outward.dot(b.outward) > kTurn) continue;
     for (const double share : {0.25, 0.5, 0.75}) {
-      TipRay tip;
-      tip.after = i;
-      tip.share = share;
-      tip.ray.pixel = arc.point((i + share) * spacing);
-      const Vec2 along =
-          arc.point((i + share + 0.1) * spacing) - arc.point((i + share - 0.1) * spacing);
-      if (!(along.norm() > 1e-9)) continue;
-      tip.ray.outward = Vec2(along.y(), -along.x()).normalized();
-      if (tip.ray.outward.dot(a.outward + b.outward) < 0) tip.ray.outward = -tip.ray.outward;
-      tip.ray.ray = silhouette.view->ray(tip.ray.pixel);
-      rim.tips.push_back(tip);
+      std::optional<RimRay> ray = ray_at(silhouette, arc, spacing, i + share, 0.1);
+      if (!ray) continue;
+      if (ray->outward.dot(a.outward + b.outward) < 0) ray->outward = -ray->outward;
+      rim.tips.push_back({*ray, i, share});
     }
   }
 }
@@ -107,16 +114,12 @@ std::vector<RayRim> outline_rays(const Silhouette& silhouette, int count) {
     RayRim rim;
     double votes = 0;
     for (int i = 0; i < n; ++i) {
-      RimRay ray;
-      ray.pixel = arc.point(i * spacing);
-      const Vec2 along = arc.point((i + 0.4) * spacing) - arc.point((i - 0.4) * spacing);
-      if (!(along.norm() > 1e-9)) continue;
-      ray.outward = Vec2(along.y(), -along.x()).normalized();
-      ray.ray = silhouette.view->ray(ray.pixel);
-      const Vec2 way = std::min(0.25 * spacing, 1.0) * ray.outward;
-      votes +=
-          silhouette.raster.distance(ray.pixel + way) - silhouette.raster.distance(ray.pixel - way);
-      rim.rays.push_back(ray);
+      const std::optional<RimRay> ray = ray_at(silhouette, arc, spacing, i, 0.4);
+      if (!ray) continue;
+      const Vec2 way = std::min(0.25 * spacing, 1.0) * ray->outward;
+      votes += silhouette.raster.distance(ray->pixel + way) -
+               silhouette.raster.distance(ray->pixel - way);
+      rim.rays.push_back(*ray);
     }
     if (votes < 0)
       for (RimRay& ray : rim.rays) ray.outward = -ray.outward;

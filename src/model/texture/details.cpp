@@ -34,7 +34,7 @@ constexpr int kMostDetails = 10;  // of a drawing that can be the same as one: t
 
 // A detail of a drawing, where a view lays it on the model.
 struct Detail {
-  int view = 0, joint = 0;
+  int view = 0;
   const DrawnDetail* drawn = nullptr;
   std::vector<int> faces;
   Vec3 middle = Vec3::Zero();  // on the model
