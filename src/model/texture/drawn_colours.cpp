@@ -374,40 +374,87 @@ Stretches stretches_of(const Overlay& o, const std::vector<Pixel>& colour,
   return out;
 }
 
+// How many pixels of each large stretch, and of all small ones, lie within `reach` of a pixel along
+// each axis. Slides along rows: what a step leaves is taken away, what it comes to is added.
+class Near {
+ public:
+  Near(const Overlay& o, const Stretches& stretches, int reach)
+      : o_(o), stretches_(stretches), reach_(reach) {}
+  void move_to(int x, int y) {
+    if (y != y_ || x <= x_ || x > x_ + 2 * reach_) {
+      counts_.clear();
+      detail_ = all_ = 0;
+      for (int u = x - reach_; u <= x + reach_; ++u) add_column(u, y, 1);
+    } else {
+      for (int u = x_ + 1; u <= x; ++u) {
+        add_column(u - reach_ - 1, y, -1);
+        add_column(u + reach_, y, 1);
+      }
+    }
+    x_ = x;
+    y_ = y;
+  }
+  int detail() const { return detail_; }
+  int all() const { return all_; }
+  struct Count {
+    int stretch = 0, pixels = 0;
+  };
+  const std::vector<Count>& counts() const { return counts_; }
+
+ private:
+  void add_column(int u, int y, int sign) {
+    if (u < o_.x.begin || u >= o_.x.end) return;
+    const int end = std::min(y + reach_ + 1, o_.y.end);
+    for (int v = std::max(y - reach_, o_.y.begin); v < end;) {
+      const int id = stretches_.of[o_.index(u, v)], from = v;
+      while (v < end && stretches_.of[o_.index(u, v)] == id) ++v;
+      if (id >= 0) add(id, sign * (v - from));
+    }
+  }
+  void add(int stretch, int pixels) {
+    all_ += pixels;
+    if (!stretches_.large[stretch]) {
+      detail_ += pixels;
+      return;
+    }
+    const auto same = std::find_if(counts_.begin(), counts_.end(),
+                                   [&](const Count& one) { return one.stretch == stretch; });
+    if (same == counts_.end())
+      counts_.push_back({stretch, pixels});
+    else if ((same->pixels += pixels) == 0)
+      counts_.erase(same);
+  }
+  const Overlay& o_;
+  const Stretches& stretches_;
+  int reach_, x_ = 0, y_ = -1;
+  std::vector<Count> counts_;
+  int detail_ = 0, all_ = 0;
+};
+
+// How dark the darkest ink is of a pixel and those round it.
+float darkest_ink(const Overlay& o, const std::vector<Pixel>& colour, const Stretches& stretches,
+                  int x, int y) {
+  float darkest = 1;
+  for (int v = y - 1; v <= y + 1; ++v)
+    for (int u = x - 1; u <= x + 1; ++u)
+      if (o.inside(u, v) && stretches.of[o.index(u, v)] < 0)
+        darkest = std::min(darkest, lightness(colour[o.index(u, v)]));
+  return darkest;
+}
+
 // Whether a line of ink only parts two colours, as hair from a face: the surface has none there. A
 // line on one colour draws something, and so do lines round what is small, as eyes.
-bool only_parts_colours(const Overlay& o, const std::vector<Pixel>& colour,
-                        const Stretches& stretches, int x, int y, int reach) {
+//   ink  how dark the line is
+bool only_parts_colours(const Stretches& stretches, const Near& near, float ink) {
   constexpr float kLeast = 0.15f, kMostDetail = 0.3f;
   constexpr float kInk = 0.6f;  // times as light as either side; what is lighter is a ribbon
-  std::array<std::pair<int, int>, 8> near = {};  // large stretches and their pixels
-  int kinds = 0, detail = 0, all = 0;
-  float darkest = 1;
-  for (int v = std::max(y - reach, o.y.begin); v <= std::min(y + reach, o.y.end - 1); ++v)
-    for (int u = std::max(x - reach, o.x.begin); u <= std::min(x + reach, o.x.end - 1); ++u) {
-      const int id = stretches.of[o.index(u, v)];
-      if (id < 0) {
-        if (o.inside(u, v) && std::abs(u - x) <= 1 && std::abs(v - y) <= 1)
-          darkest = std::min(darkest, lightness(colour[o.index(u, v)]));
-        continue;
-      }
-      ++all;
-      if (!stretches.large[id]) {
-        ++detail;
-        continue;
-      }
-      int k = 0;
-      while (k < kinds && near[k].first != id) ++k;
-      if (k == int(near.size())) continue;
-      if (k == kinds) near[kinds++] = {id, 0};
-      ++near[k].second;
-    }
-  if (float(detail) > kMostDetail * float(all)) return false;
-  for (int i = 0; i < kinds; ++i)
-    for (int j = 0; j < i; ++j) {
-      const Rgb &a = stretches.colour[near[i].first], &b = stretches.colour[near[j].first];
-      if (float(std::min(near[i].second, near[j].second)) >= kLeast * float(all) &&
-          !one_colour(a, b) && darkest <= kInk * std::min(a.mean(), b.mean()))
+  if (float(near.detail()) > kMostDetail * float(near.all())) return false;
+  const std::vector<Near::Count>& counts = near.counts();
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Rgb &a = stretches.colour[counts[i].stretch], &b = stretches.colour[counts[j].stretch];
+      if (float(std::min(counts[i].pixels, counts[j].pixels)) >= kLeast * float(near.all()) &&
+          !one_colour(a, b) && ink <= kInk * std::min(a.mean(), b.mean()))
         return true;
     }
   return false;
@@ -471,12 +518,15 @@ void fill_colours(const Frame& frame, const Image& picture, const Triangles& F,
   const std::vector<std::uint8_t> bare = state;
   spread(o, reach, sketch.plain, state);
   std::vector<std::size_t> between;
+  Near near(o, stretches, r + 1);
   for (int y = o.y.begin; y < o.y.end; ++y)
-    for (int x = o.x.begin; x < o.x.end; ++x)
-      if (const std::size_t p = o.index(x, y);
-          bare[p] == Sketch::nothing && sketch.state[p] != Sketch::nothing &&
-          only_parts_colours(o, sketch.colour, stretches, x, y, r + 1))
+    for (int x = o.x.begin; x < o.x.end; ++x) {
+      const std::size_t p = o.index(x, y);
+      if (bare[p] != Sketch::nothing || sketch.state[p] == Sketch::nothing) continue;
+      near.move_to(x, y);
+      if (only_parts_colours(stretches, near, darkest_ink(o, sketch.colour, stretches, x, y)))
         between.push_back(p);
+    }
   for (const std::size_t p : between) sketch.colour[p] = sketch.plain[p];
   sketch.depth = o.seen.depth;
   sketch.joint.resize(distance.size());
