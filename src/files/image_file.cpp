@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <mutex>
@@ -319,7 +320,26 @@ std::optional<std::string> plain_jpeg(std::string_view bytes) {
 
 }  // namespace
 
-Result<Image> decode_image(std::string_view bytes, const std::string& name) {
+namespace {
+
+// What a file holds, as it is stored.
+struct Decoded {
+  StbBytes rgba;
+  int width = 0, height = 0, orientation = 1;
+
+  Sides sides() const { return orientation < 5 ? Sides{width, height} : Sides{height, width}; }
+  // As it is to be seen, every side by side pixels as one.
+  Image image(int side = 1) const {
+    // Blocks are counted from the corner that is seen at the top left.
+    if (side > 1 && orientation == 1) return mean_of_blocks(rgba.get(), width, height, side);
+    Image whole(width, height);
+    std::copy_n(rgba.get(), whole.rgba.size(), whole.rgba.begin());
+    whole = upright(std::move(whole), orientation);
+    return side > 1 ? scaled(whole, 1.0 / side) : whole;
+  }
+};
+
+Result<Decoded> decoded(std::string_view bytes, const std::string& name) {
   const int turned = orientation(bytes);
   std::optional<std::string> plain;
   if (is_jpeg(bytes)) {
@@ -330,13 +350,19 @@ Result<Image> decode_image(std::string_view bytes, const std::string& name) {
   const Result<Sides> sides = sides_of(bytes, name, 1);
   if (!sides) return sides.error();
   int width = 0, height = 0, channels = 0;
-  const StbBytes pixels(stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
-                                              int(bytes.size()), &width, &height, &channels, 4),
-                        stbi_image_free);
+  StbBytes pixels(stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
+                                        int(bytes.size()), &width, &height, &channels, 4),
+                  stbi_image_free);
   if (!pixels) return unreadable(name, "is damaged (" + std::string(stbi_failure_reason()) + ")");
-  Image image(width, height);
-  std::copy_n(pixels.get(), image.rgba.size(), image.rgba.begin());
-  return upright(std::move(image), turned);
+  return Decoded{std::move(pixels), width, height, turned};
+}
+
+}  // namespace
+
+Result<Image> decode_image(std::string_view bytes, const std::string& name) {
+  const Result<Decoded> file = decoded(bytes, name);
+  if (!file) return file.error();
+  return file->image();
 }
 
 std::string colour_profile(std::string_view bytes) {
@@ -459,7 +485,7 @@ std::string size_words(long long width, long long height) {
   return std::to_string(width) + " × " + std::to_string(height);
 }
 
-Result<Image> load_frame_image(const Frame& frame, const std::string& document_path) {
+Result<Image> load_frame_image(const Frame& frame, const std::string& document_path, int side) {
   if (frame.image.empty()) return Image();
   const std::string whose = document_path + ": the image of frame '" + frame.name + "'";
   // Documents come from anybody, and what they name goes into models that are shown to anybody.
@@ -470,12 +496,13 @@ Result<Image> load_frame_image(const Frame& frame, const std::string& document_p
   if (!bytes)
     return bad_input(whose + ": " + bytes.error().text() +
                      "; put the drawing there, or leave the frame's \"image\" out");
-  Result<Image> image = decode_image(*bytes, whose);
-  if (image && (image->width != frame.width || image->height != frame.height))
-    return bad_input(whose + ": has " + size_words(image->width, image->height) +
+  const Result<Decoded> file = decoded(*bytes, whose);
+  if (!file) return file.error();
+  if (const auto [width, height] = file->sides(); width != frame.width || height != frame.height)
+    return bad_input(whose + ": has " + size_words(width, height) +
                      " pixels, but the frame's size is " + size_words(frame.width, frame.height) +
                      "; they should be the same: contours are drawn in the image's pixels");
-  return image;
+  return file->image(side);
 }
 
 std::vector<Image> load_drawings(const Document& document, const std::string& document_path,
@@ -483,6 +510,7 @@ std::vector<Image> load_drawings(const Document& document, const std::string& do
   std::vector<Image> drawings;
   long long pixels = 0;
   const double scale = std::min(1.0, working_scale(with_shaping_contours(document)));
+  const int side = int(std::lround(1 / scale));
   for (std::size_t f = 0; f < document.frames.size(); ++f) {
     const Frame& frame = document.frames[f];
     drawings.emplace_back();
@@ -503,9 +531,9 @@ std::vector<Image> load_drawings(const Document& document, const std::string& do
       drawings.back() = drawings[same];
       continue;
     }
-    Result<Image> image = load_frame_image(frame, document_path);
+    Result<Image> image = load_frame_image(frame, document_path, side);
     if (!image) warnings.push_back(image.error().text() + "; the model goes without its colours");
-    if (image) drawings.back() = scale < 1 ? scaled(*image, scale) : std::move(*image);
+    if (image) drawings.back() = std::move(*image);
   }
   return drawings;
 }

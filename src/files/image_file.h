@@ -26,10 +26,11 @@ std::string colour_profile(std::string_view bytes);
 // The image must have pixels. Alpha is left out where all is opaque.
 std::string png_bytes(const Image& image);
 
-// A frame's drawing: a path relative to the document's folder, or a data: URI. An empty image where
-// the frame has none. Fails, naming the frame and what to do, where it cannot be read, is not of
-// the frame's size, or lies outside the document's folder.
-Result<Image> load_frame_image(const Frame& frame, const std::string& document_path);
+// A frame's drawing: a path relative to the document's folder, or a data: URI; every `side` by
+// `side` pixels as one (mean_of_blocks). An empty image where the frame has none. Fails, naming the
+// frame and what to do, where it cannot be read, is not of the frame's size, or lies outside the
+// document's folder.
+Result<Image> load_frame_image(const Frame& frame, const std::string& document_path, int side = 1);
 
 // "640 × 800"
 std::string size_words(long long width, long long height);

@@ -13,7 +13,8 @@ namespace artisketch {
 // outlined.
 double working_scale(const Document& document);
 inline constexpr double kWorkingSize = 300;
-inline constexpr double kEnoughPixels = 4e6;  // as many as the texture has texels
+inline constexpr double kEnoughPixels =
+    2e6;  // half of the texels there may be: charts fill no more
 inline constexpr int kMostEnlarged = 16, kMostShrunk = 16;
 
 // How many times as large calibration and surfaces take the drawings, which know outlines alone: a
@@ -28,5 +29,11 @@ inline constexpr double kShapeSize = 375;
 // as they are, and shrink to the mean of the pixels that become one.
 Document scaled(Document document, double times);
 Image scaled(const Image& picture, double times);  // times or 1 / times whole
+
+// Every side by side pixels of width by height as one, their mean; fewer are one at the right and
+// the bottom. Of their colours by how much they cover.
+//   rgba  as an image has them
+//   side  at most kMostShrunk
+Image mean_of_blocks(const std::uint8_t* rgba, int width, int height, int side);
 
 }  // namespace artisketch

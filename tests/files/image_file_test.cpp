@@ -8,6 +8,7 @@
 #include <zlib.h>
 
 #include "files/bytes.h"
+#include "model/working_scale.h"
 
 namespace artisketch {
 namespace {
@@ -391,6 +392,31 @@ TEST(ImageFile, DrawingsBeyondWhatMemoryShouldHoldAreNotRead) {
   ASSERT_EQ(warnings.size(), 3u);
   EXPECT_EQ(warnings[1].find("250 million"), std::string::npos);
   EXPECT_NE(warnings[2].find("250 million pixels in all"), std::string::npos);
+}
+
+// Read at a half, a drawing is what it would be if it were read whole and then shrunk: counted from
+// the corner that is seen at the top left.
+TEST(ImageFile, ADrawingIsReadAtTheSizeThatIsNeeded) {
+  for (const std::uint8_t alpha : {255, 40})
+    for (const int orientation : {1, 3, 6}) {
+      const std::string png = png_bytes(checks(7, 5, alpha));
+      const std::size_t end = png.rfind("IEND") - 4;
+      const std::string turned =
+          png.substr(0, end) + chunk("eXIf", exif(orientation, true)) + png.substr(end);
+      Frame frame;
+      frame.name = "side";
+      frame.image = "data:image/png;base64," + base64(turned);
+      frame.width = orientation == 6 ? 5 : 7;
+      frame.height = orientation == 6 ? 7 : 5;
+      const Result<Image> whole = load_frame_image(frame, ""),
+                          half = load_frame_image(frame, "", 2);
+      ASSERT_TRUE(whole && half) << half.error().text();
+      EXPECT_EQ(half->width, (frame.width + 1) / 2);
+      EXPECT_EQ(half->rgba, scaled(*whole, 0.5).rgba);
+      std::swap(frame.width, frame.height);
+      EXPECT_NE(load_frame_image(frame, "", 2).error().text().find("frame's size"),
+                std::string::npos);
+    }
 }
 
 TEST(ImageFile, APathThatLeavesTheDocumentsFolderIsSeen) {

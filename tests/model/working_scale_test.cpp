@@ -107,6 +107,18 @@ TEST(WorkingScale, AShrunkPictureKeepsItsColoursAndItsPlaces) {
   EXPECT_EQ(at(0, 0), (std::vector{200, 100, 0, 128}));
   EXPECT_EQ(at(1, 0), (std::vector{0, 0, 0, 0}));
   EXPECT_EQ(at(2, 1), (std::vector{10, 20, 30, 255}));
+  // So it is of what has no clear pixel, to the last one.
+  Image opaque(7, 5);
+  for (std::size_t i = 0; i < opaque.rgba.size(); ++i)
+    if (i % 4 != 3) opaque.rgba[i] = std::uint8_t(i * i * 37);
+  const Image quarter = scaled(opaque, 0.25);
+  ASSERT_EQ(quarter.width, 2);
+  for (int c = 0; c < 3; ++c) {
+    int sum = 0;
+    for (int y = 0; y < 4; ++y)
+      for (int x = 4; x < 7; ++x) sum += opaque.at(x, y)[c];
+    EXPECT_EQ(quarter.at(1, 0)[c], (sum + 6) / 12);
+  }
   // The document's pixels lie where the picture's do, of odd sizes too.
   Document document = small_drawings();
   document.frames[1].width = 95;
