@@ -294,7 +294,7 @@ struct Reconstruction {
 Result<Reconstruction> reconstruct(const Document& document, const PipelineOptions& options,
                                    Run& run);
 
-// How well a posed model fits the drawings (rasterised twice as finely, to 2048 samples a side).
+// How well a posed model fits the drawings (rasterised twice as finely, to 1024 samples a side).
 std::vector<FrameFit> measure_fit(const Document& calibrated, const Model& model,
                                   std::span<const PartSurface> parts, int threads = 1);
 

@@ -10,7 +10,7 @@ namespace artisketch {
 namespace {
 
 constexpr double kPerPixel = 2;        // samples per pixel of the sketch, along x and y
-constexpr double kMostSamples = 2048;  // along a side; a larger sketch is sampled more coarsely
+constexpr double kMostSamples = 1024;  // along a side; a larger sketch is sampled more coarsely
 constexpr double kMargin = 2;          // sketch pixels round a part
 
 // A raster over a window of the sketch.
