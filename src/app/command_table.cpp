@@ -5,6 +5,7 @@
 #include <map>
 
 #include "app/version.h"
+#include "files/document_file.h"
 #include "model/rig/rig_profile.h"
 
 namespace artisketch {
@@ -34,7 +35,7 @@ void add_reconstruct(CLI::App& app, Arguments& a) {
       ->check(CLI::Range(1, 1024));
   make.add_flag("--skip-existing", a.skip_existing, "leave out what has its model already");
   make.add_option("--grid", a.grid, "cells along a part's longest side (default 100)")
-      ->check(CLI::Range(16, 400));
+      ->check(CLI::Range(kFewestCells, kMostCells));
   make.add_option("--triangles", a.triangles,
                   "of the model (default 15000), or auto: as few as half a pixel allows")
       ->transform(CLI::Validator(

@@ -28,7 +28,7 @@ constexpr Range kUnit{-1.001, 1.001, "a part of a unit quaternion, from -1 to 1"
 constexpr Range kAngle{0, 180, "a number of degrees from 0 to 180"};
 constexpr Range kFatness{0, 10, "a number above 0, at most 10", true};
 constexpr Range kSize{1, 16384, "a whole number of pixels from 1 to 16384"};
-constexpr Range kGrid{kFewestCells, kMostCells, "a whole number of cells from 16 to 400"};
+constexpr Range kGrid{kFewestCells, kMostCells, "a whole number of cells from 16 to 512"};
 constexpr Range kTriangles{
     0, 1e7, "a whole number of triangles from 0 (as few as half a pixel allows) to 1e7"};
 

@@ -16,7 +16,7 @@ namespace artisketch {
 
 // Limits that keep a hostile document affordable, far above what a character needs.
 inline constexpr int kMostJoints = 1000, kMostFrames = 1000;
-inline constexpr int kFewestCells = 16, kMostCells = 400;  // of a grid
+inline constexpr int kFewestCells = 16, kMostCells = 512;  // of a grid
 
 // Reads what FORMAT.md says a document is, half drawn as it may be (whether it can be worked on
 // asks files/document_check); all faults come in one Error, one line each: "FILE: JSON-POINTER:

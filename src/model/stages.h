@@ -107,7 +107,7 @@ std::vector<Part> parts_of(const Document& document);
 
 struct SurfaceOptions {
   Method method = kDefaultMethod;
-  int grid = 100;            // cells along the longest side of the part's grid, 16 … 400
+  int grid = 100;            // cells along the longest side of the part's grid, 16 … 512
   bool visual_hull = false;  // stop after carving
 };
 
@@ -120,8 +120,8 @@ struct Rim {
 struct PartSurface {
   int joint = 0;
   Mesh mesh;              // closed, oriented 2-manifold in rest space
-  Grid3<float> distance;  // signed distance to it on the part's grid: to first order, within a cell
-                          // or so; cut off a few cells below the surface
+  Grid3<float> distance;  // signed distance to it on the part's grid (rays: 200 cells at most): to
+                          // first order, within a cell or so; cut off a few cells below the surface
   std::vector<Rim> rims;
   std::vector<std::string> warnings;
 };

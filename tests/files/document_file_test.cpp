@@ -345,7 +345,7 @@ TEST(DocumentFile, AFaultSaysWhereAndWhatWouldBeRight) {
       "\"time\": 2", "\"time\": 0",
       "/animations/0/keys/1/time: is 0, not after the key before (0); times should increase");
   expect_fault("\"grid\": 64", "\"grid\": 12",
-               "/settings/grid: is 12; should be a whole number of cells from 16 to 400");
+               "/settings/grid: is 12; should be a whole number of cells from 16 to 512");
   expect_fault("\"rays\"", "\"magic\"",
                "/settings/method: is 'magic'; should be 'paper' or 'rays'");
   expect_fault("\"grid\": 64", "\"grid\": 64, \"grid\": 65",

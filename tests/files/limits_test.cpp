@@ -81,9 +81,9 @@ TEST(Limits, OfADocumentAreKeptAndSaid) {
       {"a large scale", [](Numbers& n) { n.scale = "1e9"; }, [](Numbers& n) { n.scale = "1e10"; },
        "from 1e-9 to 1e9"},
       {"a coarse grid", [](Numbers& n) { n.grid = "16"; }, [](Numbers& n) { n.grid = "15"; },
-       "from 16 to 400"},
-      {"a fine grid", [](Numbers& n) { n.grid = "400"; }, [](Numbers& n) { n.grid = "401"; },
-       "from 16 to 400"},
+       "from 16 to 512"},
+      {"a fine grid", [](Numbers& n) { n.grid = "512"; }, [](Numbers& n) { n.grid = "513"; },
+       "from 16 to 512"},
       {"triangles", [](Numbers& n) { n.triangles = "10000000"; },
        [](Numbers& n) { n.triangles = "10000001"; }, "to 1e7"},
   };

@@ -323,42 +323,67 @@ Result<Grid3<float>> carving_grid(const Carving& carving, int cells) {
                       std::numeric_limits<float>::max());
 }
 
-Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double band) {
+namespace {
+
+// Carves a grid a block after the other. One question in a block's middle tells whether it lies
+// wholly outside or inside by more than its half diagonal, and which views are nowhere the largest
+// in it. A projection stretches lengths by no more than its pixels per unit, so the distance in
+// units changes by at most about the way walked; the rasters are a few per cent off.
+class Carver {
+ public:
+  Carver(const Carving& carving, double band, Grid3<float>& g)
+      : carving_(carving), band_(band), g_(g), at_centre_(carving.views.size()) {}
+  // The samples from `first` on, `side` along each axis; in blocks of 4³ where they aren't all far.
+  void carve(const Index3& first, int side) {
+    const Vec3 centre =
+        g_.origin + g_.cell * (first.cast<double>() + Vec3::Constant((side - 1) / 2.0));
+    const double reach = kStretch * g_.cell * (side - 1) / 2.0 * std::sqrt(3.0);
+    const double beyond = reach + band_ * g_.cell;
+    double most = carving_.slab.distance(centre);
+    for (std::size_t v = 0; v < at_centre_.size() && most <= beyond; ++v)
+      most = std::max(most, at_centre_[v] = carving_.views[v].distance(centre));
+    const bool far = std::abs(most) > beyond;
+    const Index3 end = (first + Index3::Constant(side)).cwiseMin(g_.size);
+    if (!far && side > kBlock) {
+      for (int k = first.z(); k < end.z(); k += kBlock)
+        for (int j = first.y(); j < end.y(); j += kBlock)
+          for (int i = first.x(); i < end.x(); i += kBlock) carve({i, j, k}, kBlock);
+      return;
+    }
+    for (int k = first.z(); k < end.z(); ++k)
+      for (int j = first.y(); j < end.y(); ++j)
+        for (int i = first.x(); i < end.x(); ++i)
+          g_(i, j, k) = float(far ? most : carving_.slab.distance(g_.position(i, j, k)));
+    if (far) return;
+    float* const values = &g_(first.x(), first.y(), first.z());
+    for (std::size_t v = 0; v < at_centre_.size(); ++v)
+      if (at_centre_[v] >= most - 2 * reach)
+        carving_.views[v].raise(g_.position(first.x(), first.y(), first.z()), g_.cell, end - first,
+                                values, g_.stride_y(), g_.stride_z());
+  }
+  static constexpr int kBlock = 4;
+
+ private:
+  static constexpr double kStretch = 1.2;
+  const Carving& carving_;
+  double band_;
+  Grid3<float>& g_;
+  std::vector<double> at_centre_;
+};
+
+}  // namespace
+
+Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double band,
+                           Beyond beyond) {
   Result<Grid3<float>> grid = carving_grid(carving, cells);
   if (!grid) return grid;
   Grid3<float>& g = *grid;
-  // Blocks of 4³ samples: one question in the middle tells whether the block lies wholly outside or
-  // inside by more than its half diagonal, and which views are nowhere the largest in it. A
-  // projection stretches lengths by no more than its pixels per unit, so the distance in units
-  // changes by at most about the way walked; the rasters are a few per cent off.
-  constexpr int kBlock = 4;
-  constexpr double kStretch = 1.2;
-  const double reach = kStretch * g.cell * (kBlock - 1) / 2.0 * std::sqrt(3.0);
-  const double beyond = reach + band * g.cell;
-  std::vector<double> at_centre(carving.views.size());
-  for (int k0 = 0; k0 < g.size.z(); k0 += kBlock) {
+  Carver carver(carving, band, g);
+  const int side = (beyond == Beyond::signs ? 4 : 1) * Carver::kBlock;
+  for (int k = 0; k < g.size.z(); k += side) {
     if (run.cancelled()) return cancelled();
-    for (int j0 = 0; j0 < g.size.y(); j0 += kBlock)
-      for (int i0 = 0; i0 < g.size.x(); i0 += kBlock) {
-        const Vec3 centre =
-            g.origin + g.cell * (Vec3(i0, j0, k0) + Vec3::Constant((kBlock - 1) / 2.0));
-        double most = carving.slab.distance(centre);
-        for (std::size_t v = 0; v < at_centre.size() && most <= beyond; ++v)
-          most = std::max(most, at_centre[v] = carving.views[v].distance(centre));
-        const bool far = std::abs(most) > beyond;
-        const Index3 n = (g.size - Index3(i0, j0, k0)).cwiseMin(kBlock);
-        for (int k = k0; k < k0 + n.z(); ++k)
-          for (int j = j0; j < j0 + n.y(); ++j) {
-            float* row = &g(i0, j, k);
-            for (int i = 0; i < n.x(); ++i)
-              row[i] = float(far ? most : carving.slab.distance(g.position(i0 + i, j, k)));
-          }
-        if (far) continue;
-        for (std::size_t v = 0; v < at_centre.size(); ++v)
-          if (at_centre[v] >= most - 2 * reach)
-            carving.views[v].raise(g.position(i0, j0, k0), g.cell, n, &g(i0, j0, k0), g.stride_y(),
-                                   g.stride_z());
-      }
+    for (int j = 0; j < g.size.y(); j += side)
+      for (int i = 0; i < g.size.x(); i += side) carver.carve({i, j, k}, side);
   }
   return grid;
 }

@@ -81,9 +81,12 @@ Result<Carving> carving_of(const Part& part, int cells);
 void add_views(const Part& part, std::span<const PartView> views, int cells, Carving& carving);
 
 // The grid of visual_hull in stages.h, and the hull on it. Distances of up to about `band` cells
-// are true; beyond, the sign is, and the value lies beyond `band`.
+// are true; beyond, the sign is, and the value lies beyond `band`: nearly as far as the sample
+// does, or anywhere where only signs are wanted.
+enum class Beyond { near, signs };
 Result<Grid3<float>> carving_grid(const Carving& carving, int cells);
-Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double band = 4);
+Result<Grid3<float>> carve(const Carving& carving, int cells, Run& run, double band = 4,
+                           Beyond beyond = Beyond::near);
 
 // Grows all outlines until they share a volume, if they share none, and says so in a warning.
 void widen_until_they_meet(Carving& carving, std::vector<std::string>& warnings);

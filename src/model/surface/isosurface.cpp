@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -181,6 +182,13 @@ class March {
                                        &signs_[slot(0, j, k + 1)], &signs_[slot(0, j + 1, k + 1)]};
         int negative = 0;
         for (int i = 0; i < g_.size.x(); ++i) {
+          // Where all four rows go on as the last corners are there is nothing to see.
+          while (i > 0 && i + kAtOnce <= g_.size.x() && (negative == 0 || negative == 255) &&
+                 std::all_of(rows, rows + 4, [&](const std::uint8_t* row) {
+                   return go_on(row + i, negative ? 1 : 0);
+                 }))
+            i += kAtOnce;
+          if (i == g_.size.x()) break;
           // The four corners at i become those at the cube's start, and i + 1 brings its end.
           const int column = rows[0][i] << 1 | rows[1][i] << 3 | rows[2][i] << 5 | rows[3][i] << 7;
           negative = (negative >> 1 & 0x55) | column;
@@ -195,6 +203,13 @@ class March {
   }
 
  private:
+  // Whether the next kAtOnce signs are all like one.
+  static constexpr int kAtOnce = 8;
+  static bool go_on(const std::uint8_t* signs, std::uint8_t one) {
+    std::uint64_t eight;
+    std::memcpy(&eight, signs, kAtOnce);
+    return eight == one * 0x0101010101010101ull;
+  }
   // Where the data of (i, j) in layer k stands while two layers are kept.
   std::size_t slot(int i, int j, int k) const {
     return std::size_t(i) + std::size_t(g_.size.x()) * (j + std::size_t(g_.size.y()) * (k & 1));
@@ -208,8 +223,13 @@ class March {
       std::uint8_t* sign = &signs_[slot(0, j, k)];
       const std::uint8_t *before = j > 0 ? sign - g_.stride_y() : sign,
                          *below = k > 0 ? &signs_[slot(0, j, k - 1)] : sign;
-      for (int i = 0; i < g_.size.x(); ++i) sign[i] = row[i] < 0;
-      for (int i = 1; i < g_.size.x(); ++i) {
+      const int n = g_.size.x();
+      for (int i = 0; i < n; ++i) sign[i] = row[i] < 0;
+      for (int i = 1; i < n; ++i) {
+        while (i + kAtOnce <= n && go_on(sign + i, sign[i - 1]) && go_on(before + i, sign[i - 1]) &&
+               go_on(below + i, sign[i - 1]))
+          i += kAtOnce;
+        if (i == n) break;
         if (sign[i] != sign[i - 1]) add_vertex(0, {i - 1, j, k}, slot(i - 1, j, k));
         if (sign[i] != before[i]) add_vertex(1, {i, j - 1, k}, slot(i, j - 1, k));
         if (sign[i] != below[i]) add_vertex(2, {i, j, k - 1}, slot(i, j, k - 1));

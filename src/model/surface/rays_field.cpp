@@ -202,10 +202,99 @@ void leave_no_holes(const Grid3<float>& hull, double radius, Grid3<float>& surfa
   surface = hull;
 }
 
-// Where the rims lie nowhere, as before a camera that stands in the figure's midst.
-RaysField hull_alone(RaysField field) {
-  field.rims.clear();
-  return field;
+// max(hull, surface) on a finer hull's samples, where it tells where the surface is: the signs
+// alone are right elsewhere.
+void cut_finer(const Grid3<float>& surface, Grid3<float>& hull) {
+  constexpr int kBlock = 4;
+  constexpr double kSteepest = 2;  // what a distance of first order may change by on the way
+  const double reach = kSteepest * hull.cell * (kBlock + 1) / 2.0 * std::sqrt(3.0);
+  for (int k0 = 0; k0 < hull.size.z(); k0 += kBlock)
+    for (int j0 = 0; j0 < hull.size.y(); j0 += kBlock)
+      for (int i0 = 0; i0 < hull.size.x(); i0 += kBlock) {
+        const Index3 first(i0, j0, k0),
+            end = (first + Index3::Constant(kBlock)).cwiseMin(hull.size);
+        const auto visit = [&](const auto& at) {
+          for (int k = k0; k < end.z(); ++k)
+            for (int j = j0; j < end.y(); ++j)
+              for (int i = i0; i < end.x(); ++i) at(i, j, k, hull(i, j, k));
+        };
+        float least = std::numeric_limits<float>::max();
+        visit([&](int, int, int, float here) { least = std::min(least, here); });
+        if (least >= hull.cell) continue;  // outside, whatever the surface says
+        const Vec3 middle =
+            hull.origin + hull.cell * (first + end - Index3::Ones()).cast<double>() / 2;
+        const double there = sample(surface, middle);
+        if (there < -reach) continue;  // inside, where the hull is
+        visit([&](int i, int j, int k, float& here) {
+          const double cut = there > reach ? there : sample(surface, hull.position(i, j, k));
+          here = std::max(here, float(cut));
+        });
+      }
+}
+
+// The smooth surface that trims a part's hull, on the hull's grid. Empty where the hull is better
+// alone: as where the rims lie nowhere, before a camera that stands in the figure's midst.
+//   rims  filled
+Result<Grid3<float>> smooth_surface(const Carving& carving, const Part& part, double contradiction,
+                                    const RaysFieldOptions& options, const Grid3<float>& hull,
+                                    std::vector<RayRim>& rims, Run& run) {
+  if (carving.one_direction()) {
+    Grid3<float> body = guessed(carving, part, hull);
+    return leaves_nothing(body, hull) ? Grid3<float>() : body;
+  }
+  const Box3 box = hull.box();
+  rims = first_rims(carving, part, box, options.rays_per_cell * options.cells);
+  const auto hull_alone = [&] {
+    rims.clear();
+    return Grid3<float>();
+  };
+  // The depths are sought on looser and coarser surfaces, which don't fold to pass through points
+  // whose depths are still wrong.
+  constexpr double kLooser = 40;
+  constexpr int kCoarser = 2;
+  HermiteOptions fine = options.surface;
+  fine.length = carving.radius;
+  HermiteOptions rough = fine;
+  rough.value_ridge *= kLooser;
+  for (int pass = 0; pass < options.refits; ++pass) {
+    if (run.cancelled()) return cancelled();
+    const std::vector<SurfacePoint> points = surface_points(carving, rims, kCoarser);
+    if (int(points.size()) < kFewestSurfacePoints) return hull_alone();
+    const HermiteSurface f(points, rough);
+    for (RayRim& rim : rims) detect_depths(carving, box, f, rim);
+  }
+  if (run.cancelled()) return cancelled();
+  const std::vector<SurfacePoint> points = surface_points(carving, rims);
+  if (int(points.size()) < kFewestSurfacePoints) return hull_alone();
+  HermiteSurface f(points, fine);
+  Grid3<float> surface = near_hull(f, hull);
+  std::vector<Vec3> held;  // f need not pass there, but must not pass beyond
+  for (int pass = 0; pass < options.refits; ++pass) {
+    if (run.cancelled()) return cancelled();
+    const std::vector<Vec3> further = held_back(surface, hull, carving.radius);
+    if (further.empty()) break;
+    held.insert(held.end(), further.begin(), further.end());
+    f = HermiteSurface(points, fine, held);
+    surface = near_hull(f, hull);
+  }
+  if (part.fatness != 1) surface = plump(f, rims, carving.radius, part.fatness, hull, surface);
+  // Of a round body's hull by two views the body is π/4 times the sine between them.
+  if (part.fatness >= 1 && leaves_nothing(surface, hull, std::sqrt(carving.spread))) surface = hull;
+  if (part.fatness >= 1) leave_no_holes(hull, carving.radius, surface);
+
+  constexpr double kLeastAgreed = 0.5;
+  constexpr float kLeastGuess = 0.005f;  // moves nothing that a cell would show
+  if (const float guess = float(guessed_share(carving, contradiction)); guess > kLeastGuess) {
+    Grid3<float> body = guessed(carving, part, hull);
+    for (std::size_t i = 0; i < body.values.size(); ++i)
+      body.values[i] = surface.values[i] + guess * (body.values[i] - surface.values[i]);
+    // Where next to all of the depth is open, so is where along the ray such a thing lies.
+    const double told = std::clamp(2 - 4 * double(guess), 0.0, 1.0);
+    if (const double agreed = told * agreement(contradiction); agreed > kLeastAgreed)
+      keep_what_is_shown(carving, agreed, surface, body);
+    if (!leaves_nothing(body, hull)) surface = std::move(body);
+  }
+  return surface;
 }
 
 }  // namespace
@@ -222,66 +311,20 @@ Result<RaysField> rays_field(const Part& given, const RaysFieldOptions& options,
       std::max(swell_until_covered(*carving), kStillDoubted * disproportion);
   // The rims' surface lies inside the hull: next to that alone must the hull's distances be true.
   const double band = carving->one_direction() ? 4 : 1.5;
-  Result<Grid3<float>> hull = carve(*carving, options.cells, run, band);
+  Result<Grid3<float>> hull = carve(*carving, std::min(options.cells, kSmoothCells), run, band);
   if (!hull) return hull.error();
   out.distance = std::move(*hull);
-
-  if (carving->one_direction()) {
-    const Grid3<float> body = guessed(*carving, part, out.distance);
-    if (!leaves_nothing(body, out.distance)) cut_to(body, out.distance);
-    return out;
+  const Result<Grid3<float>> smooth =
+      smooth_surface(*carving, part, contradiction, options, out.distance, out.rims, run);
+  if (!smooth) return smooth.error();
+  if (!smooth->empty()) cut_to(*smooth, out.distance);
+  if (options.cells > kSmoothCells) {
+    constexpr double kFineBand = 1.5;
+    Result<Grid3<float>> fine = carve(*carving, options.cells, run, kFineBand, Beyond::signs);
+    if (!fine) return fine.error();
+    out.fine = std::move(*fine);
+    if (!smooth->empty()) cut_finer(*smooth, out.fine);
   }
-  const Box3 box = out.distance.box();
-  out.rims = first_rims(*carving, part, box, options.rays_per_cell * options.cells);
-  // The depths are sought on looser and coarser surfaces, which don't fold to pass through points
-  // whose depths are still wrong.
-  constexpr double kLooser = 40;
-  constexpr int kCoarser = 2;
-  HermiteOptions fine = options.surface;
-  fine.length = carving->radius;
-  HermiteOptions rough = fine;
-  rough.value_ridge *= kLooser;
-  for (int pass = 0; pass < options.refits; ++pass) {
-    if (run.cancelled()) return cancelled();
-    const std::vector<SurfacePoint> points = surface_points(*carving, out.rims, kCoarser);
-    if (int(points.size()) < kFewestSurfacePoints) return hull_alone(std::move(out));
-    const HermiteSurface f(points, rough);
-    for (RayRim& rim : out.rims) detect_depths(*carving, box, f, rim);
-  }
-  if (run.cancelled()) return cancelled();
-  const std::vector<SurfacePoint> points = surface_points(*carving, out.rims);
-  if (int(points.size()) < kFewestSurfacePoints) return hull_alone(std::move(out));
-  HermiteSurface f(points, fine);
-  Grid3<float> surface = near_hull(f, out.distance);
-  std::vector<Vec3> held;  // f need not pass there, but must not pass beyond
-  for (int pass = 0; pass < options.refits; ++pass) {
-    if (run.cancelled()) return cancelled();
-    const std::vector<Vec3> further = held_back(surface, out.distance, carving->radius);
-    if (further.empty()) break;
-    held.insert(held.end(), further.begin(), further.end());
-    f = HermiteSurface(points, fine, held);
-    surface = near_hull(f, out.distance);
-  }
-  if (part.fatness != 1)
-    surface = plump(f, out.rims, carving->radius, part.fatness, out.distance, surface);
-  // Of a round body's hull by two views the body is π/4 times the sine between them.
-  if (part.fatness >= 1 && leaves_nothing(surface, out.distance, std::sqrt(carving->spread)))
-    surface = out.distance;
-  if (part.fatness >= 1) leave_no_holes(out.distance, carving->radius, surface);
-
-  constexpr double kLeastAgreed = 0.5;
-  constexpr float kLeastGuess = 0.005f;  // moves nothing that a cell would show
-  if (const float guess = float(guessed_share(*carving, contradiction)); guess > kLeastGuess) {
-    Grid3<float> body = guessed(*carving, part, out.distance);
-    for (std::size_t i = 0; i < body.values.size(); ++i)
-      body.values[i] = surface.values[i] + guess * (body.values[i] - surface.values[i]);
-    // Where next to all of the depth is open, so is where along the ray such a thing lies.
-    const double told = std::clamp(2 - 4 * double(guess), 0.0, 1.0);
-    if (const double agreed = told * agreement(contradiction); agreed > kLeastAgreed)
-      keep_what_is_shown(*carving, agreed, surface, body);
-    if (!leaves_nothing(body, out.distance)) surface = std::move(body);
-  }
-  cut_to(surface, out.distance);
   for (const RayRim& rim : out.rims) out.rim_frames.push_back(carving->views[rim.view].view->frame);
   return out;
 }

@@ -9,7 +9,7 @@
 namespace artisketch {
 
 struct RaysFieldOptions {
-  int cells = 100;              // along the longest side of the grid
+  int cells = 100;              // along the longest side of the finest grid
   double rays_per_cell = 0.64;  // rays per view and `cells` on which rims are sought, 16 … 96;
                                 // of more than three views as many as of three
   int refits = 2;               // times that the rims are sought again on the surface they gave,
@@ -17,9 +17,15 @@ struct RaysFieldOptions {
   HermiteOptions surface;
 };
 
+// Cells from which on only the hull is carved more finely: the smooth surface that trims it has
+// nothing more to show, and parts as fine as that make a skin of a million vertices.
+inline constexpr int kSmoothCells = 200;
+
 struct RaysField {
-  Grid3<float> distance;     // signed, in units, near the surface to first order; a bound elsewhere
-  std::vector<RayRim> rims;  // none where the part is seen from one direction only
+  Grid3<float> distance;  // signed, in units, near the surface to first order; a bound elsewhere;
+                          // on kSmoothCells at most
+  Grid3<float> fine;      // the same where more cells are asked for; empty otherwise
+  std::vector<RayRim> rims;     // none where the part is seen from one direction only
   std::vector<int> rim_frames;  // the frame of each rim
   std::vector<std::string> warnings;
 };

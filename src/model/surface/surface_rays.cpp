@@ -1,5 +1,6 @@
 // A part's surface by its contour rays: the default method. Steps in rays_field.
 #include <algorithm>
+#include <utility>
 
 #include "model/surface/rays_field.h"
 
@@ -13,10 +14,17 @@ constexpr float kDeepest = 6;
 Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options, Run& run) {
   PartSurface out;
   out.joint = part.joint;
+  Grid3<float> fine;  // the surface's, where it isn't that of the distances
   if (options.visual_hull) {
     Result<Grid3<float>> hull = visual_hull(part, options.grid, out.warnings, run);
     if (!hull) return hull.error();
     out.distance = std::move(*hull);
+    if (options.grid > kSmoothCells) {
+      std::vector<std::string> said;
+      hull = visual_hull(part, kSmoothCells, said, run);
+      if (!hull) return hull.error();
+      fine = std::exchange(out.distance, std::move(*hull));
+    }
   } else {
     RaysFieldOptions field_options;
     field_options.cells = options.grid;
@@ -24,8 +32,9 @@ Result<PartSurface> surface_rays(const Part& part, const SurfaceOptions& options
     if (!field) return field.error();
     out.distance = std::move(field->distance);
     out.warnings = std::move(field->warnings);
+    fine = std::move(field->fine);
   }
-  Result<Mesh> mesh = isosurface(out.distance);
+  Result<Mesh> mesh = isosurface(fine.empty() ? out.distance : fine);
   if (!mesh) return mesh.error();
   out.mesh = std::move(*mesh);
   const float deepest = -kDeepest * float(out.distance.cell);

@@ -8,6 +8,7 @@
 #include "model/stages.h"
 #include "model/surface/carving.h"
 #include "model/surface/ray_rims.h"
+#include "model/surface/rays_field.h"
 
 namespace artisketch {
 namespace {
@@ -372,6 +373,25 @@ TEST(SurfaceRays, TheFieldIsTheMeshsDistance) {
       EXPECT_NEAR(cells, way * surface.distance.cell, 0.35 * surface.distance.cell);
     }
   }
+}
+
+// A finer grid than the smooth surface needs sharpens what the outlines cut: a square prism's edges
+// come nearer to it, on the same distances.
+TEST(SurfaceRays, TheFinestGridsSharpenTheHullAlone) {
+  const Part part = drawn::part(
+      {{from_front(), {rectangle(0.5, 1)}, {}}, {from_right(), {ellipse(0.4, 1)}, {}}}, 150);
+  const PartSurface given = surface_of(part, kSmoothCells),
+                    fine = surface_of(part, 2 * kSmoothCells);
+  expect_sound(fine);
+  expect_silhouettes(part, fine.mesh, 0.99);
+  EXPECT_EQ(fine.distance.size, given.distance.size);
+  EXPECT_GT(double(fine.mesh.V.rows()), 3.5 * double(given.mesh.V.rows()));
+  double off = 0;
+  for (int v = 0; v < fine.mesh.V.rows(); ++v)
+    off = std::max(off, std::abs(sample(given.distance, fine.mesh.V.row(v).transpose())));
+  EXPECT_LT(off, given.distance.cell);
+  EXPECT_NEAR(signed_volume(fine.mesh), signed_volume(given.mesh),
+              0.005 * signed_volume(given.mesh));
 }
 
 // The system through them is dense: without a bound, outlines of thousands of crumbs took more
