@@ -58,41 +58,52 @@ Body::Body(std::span<const PartSurface> parts, const PartTree& tree,
   }
 }
 
+// The cell of a part's samples that holds a point, or the nearest one: its values, interpolated
+// along x at its edges, then along y at its sides.
+struct Body::Cell {
+  const float* v;
+  double w[3];
+  Vec3 beyond = Vec3::Zero();  // from the samples to the point
+  double x00, x10, x01, x11, y0, y1;
+
+  Cell(const Field& f, const Vec3& p) {
+    int at[3];
+    for (int a = 0; a < 3; ++a) {
+      const double x = (p[a] - f.origin[a]) / f.cell;
+      const double c = within(x, 0, f.size[a] - 1);
+      beyond[a] = (x - c) * f.cell;
+      at[a] = std::min(int(c), f.size[a] - 2);
+      w[a] = c - at[a];
+    }
+    v = f.values + at[0] + f.sy * at[1] + f.sz * at[2];
+    x00 = v[0] + w[0] * (v[1] - v[0]);
+    x10 = v[f.sy] + w[0] * (v[f.sy + 1] - v[f.sy]);
+    x01 = v[f.sz] + w[0] * (v[f.sz + 1] - v[f.sz]);
+    x11 = v[f.sz + f.sy] + w[0] * (v[f.sz + f.sy + 1] - v[f.sz + f.sy]);
+    y0 = x00 + w[1] * (x10 - x00), y1 = x01 + w[1] * (x11 - x01);
+  }
+  double value() const { return y0 + w[2] * (y1 - y0); }
+};
+
 double Body::part_distance(int part, const Vec3& p) const {
-  Vec3 unused;
-  return part_distance(part, p, unused);
+  const Cell c(fields_[part], p);
+  return c.value() + c.beyond.norm();
 }
 
 double Body::part_distance(int part, const Vec3& p, Vec3& gradient) const {
   const Field& f = fields_[part];
-  int at[3];
-  double w[3];
-  Vec3 beyond = Vec3::Zero();
-  for (int a = 0; a < 3; ++a) {
-    const double x = (p[a] - f.origin[a]) / f.cell;
-    const double c = within(x, 0, f.size[a] - 1);
-    beyond[a] = (x - c) * f.cell;
-    at[a] = std::min(int(c), f.size[a] - 2);
-    w[a] = c - at[a];
+  const Cell c(f, p);
+  if (const double away = c.beyond.norm(); away > 0) {
+    gradient = c.beyond / away;
+    return c.value() + away;
   }
-  const float* v = f.values + at[0] + f.sy * at[1] + f.sz * at[2];
-  const double x00 = v[0] + w[0] * (v[1] - v[0]);
-  const double x10 = v[f.sy] + w[0] * (v[f.sy + 1] - v[f.sy]);
-  const double x01 = v[f.sz] + w[0] * (v[f.sz + 1] - v[f.sz]);
-  const double x11 = v[f.sz + f.sy] + w[0] * (v[f.sz + f.sy + 1] - v[f.sz + f.sy]);
-  const double y0 = x00 + w[1] * (x10 - x00), y1 = x01 + w[1] * (x11 - x01);
-  const double value = y0 + w[2] * (y1 - y0);
-  if (const double away = beyond.norm(); away > 0) {
-    gradient = beyond / away;
-    return value + away;
-  }
-  const auto dx = [&](std::ptrdiff_t s) { return v[s + 1] - v[s]; };
-  const double dx0 = dx(0) + w[1] * (dx(f.sy) - dx(0));
-  const double dx1 = dx(f.sz) + w[1] * (dx(f.sz + f.sy) - dx(f.sz));
-  gradient.x() = (dx0 + w[2] * (dx1 - dx0)) / f.cell;
-  gradient.y() = ((x10 - x00) + w[2] * ((x11 - x01) - (x10 - x00))) / f.cell;
-  gradient.z() = (y1 - y0) / f.cell;
-  return value;
+  const auto dx = [&](std::ptrdiff_t s) { return c.v[s + 1] - c.v[s]; };
+  const double dx0 = dx(0) + c.w[1] * (dx(f.sy) - dx(0));
+  const double dx1 = dx(f.sz) + c.w[1] * (dx(f.sz + f.sy) - dx(f.sz));
+  gradient.x() = (dx0 + c.w[2] * (dx1 - dx0)) / f.cell;
+  gradient.y() = ((c.x10 - c.x00) + c.w[2] * ((c.x11 - c.x01) - (c.x10 - c.x00))) / f.cell;
+  gradient.z() = (c.y1 - c.y0) / f.cell;
+  return c.value();
 }
 
 // Non-adjacent parts that come close share the space between them: each keeps its side of the

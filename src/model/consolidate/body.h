@@ -72,6 +72,7 @@ class Body {
     std::ptrdiff_t sy, sz;
     Box3 box;
   };
+  struct Cell;
   // The least and the largest of a part's samples over blocks of kBounds³ of its cells, so that
   // most of space is told apart without reading them.
   struct Bounds {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/at_once.h"
 #include "model/consolidate/body.h"
 #include "model/rig/heat.h"
 
@@ -24,30 +25,39 @@ constexpr double kAcross = 0.5;        // of bones
 constexpr double kGrowth = 0.5;        // of a limb's radius, per way along the surface
 constexpr double kLeastWeight = 1e-3;  // less is left out
 
-// Half the shortest way across the limbs from p on their surface, straight inward and about that
-// (the shape diameter of Shapira et al. 2008). Samples far inside a part say that they are, and not
-// how deep: their distance only tells how far one can go without leaving it.
-double limb_radius(const Body& body, std::span<const int> limbs, double thickness, const Vec3& p,
-                   const Vec3& inward) {
+// Half the shortest way across limbs from a point on their surface.
+struct Radii {
+  double own = BlockGrid::kOutside, all = BlockGrid::kOutside;  // across the first alone, or any
+};
+
+// The ways go straight inward and about that (the shape diameter of Shapira et al. 2008). Samples
+// far inside a part say that they are, and not how deep: their distance only tells how far one can
+// go without leaving it.
+Radii limb_radii(const Body& body, std::span<const int> limbs, double thickness, const Vec3& p,
+                 const Vec3& inward) {
   constexpr double kTilt = 0.6;        // tangent of the cone's half angle
   constexpr int kMostSteps = 400;      // where a vertex has no normal
   const double least = thickness / 8;  // a cell or so
   const Vec3 across = inward.unitOrthogonal(), up = inward.cross(across);
-  double radius = BlockGrid::kOutside;
+  Radii radii;
   for (const Vec3& tilt : {Vec3(Vec3::Zero()), across, Vec3(-across), up, Vec3(-up)}) {
     const Vec3 way = (inward + kTilt * tilt).normalized();
-    double gone = least;  // p may lie a little outside
-    for (int step = 0; step < kMostSteps && gone < 2 * radius; ++step) {
+    double gone = least;               // p may lie a little outside
+    double own = BlockGrid::kOutside;  // gone where the way left the first limb
+    for (int step = 0; step < kMostSteps && gone < 2 * radii.all; ++step) {
       const Vec3 here = p + gone * way;
       double deep = 0;  // in the first limb that holds it
-      for (std::size_t i = 0; i < limbs.size() && deep <= 0; ++i)
+      for (std::size_t i = 0; i < limbs.size() && deep <= 0; ++i) {
         deep = -body.part_distance(limbs[i], here);
+        if (i == 0 && deep <= 0) own = std::min(own, gone);
+      }
       if (deep <= 0) break;
       gone += std::max(deep, least);
     }
-    radius = std::min(radius, gone / 2);
+    radii.own = std::min(radii.own, std::min(own, gone) / 2);
+    radii.all = std::min(radii.all, gone / 2);
   }
-  return radius;
+  return radii;
 }
 
 struct Listening {
@@ -70,9 +80,8 @@ Listening listening(const Body& body, const PartTree& tree, const Vec3& p, const
   std::vector<int> limbs = {nearest};
   for (int i = 0; i < body.size(); ++i)
     if (i != nearest && tree.nodes[i].solid && tree.adjacent(i, nearest)) limbs.push_back(i);
-  const double radius =
-      limb_radius(body, std::span(limbs).first(1), tree.nodes[nearest].thickness, p, -normal);
-  result.radius = limb_radius(body, limbs, tree.nodes[nearest].thickness, p, -normal);
+  const auto [radius, of_all] = limb_radii(body, limbs, tree.nodes[nearest].thickness, p, -normal);
+  result.radius = of_all;
   // Shares fall to nothing as a part's surface comes to lie kTogether further off than the nearest,
   // and as its bones come to lie kAcross further off.
   double to_bone = BlockGrid::kOutside;
@@ -155,13 +164,17 @@ Result<HeatSystem> heat_system(const Document& document, std::span<const PartSur
   HeatSystem system;
   system.right = Columns::Zero(n, count);
   Eigen::VectorXd radius(n);
-  for (int v = 0; v < n; ++v) {
-    if (v % 4096 == 0 && run.cancelled()) return cancelled();
-    const Listening l =
-        listening(body, tree, mesh.V.row(v).transpose(), normals.row(v).transpose());
-    radius[v] = l.radius;
-    for (const auto& [part, share] : l.parts) system.right(v, part) = share;
-  }
+  constexpr int kAtOnce = 256;  // vertices
+  at_once((n + kAtOnce - 1) / kAtOnce, run.threads, [&](int block) {
+    for (int v = block * kAtOnce; v < std::min(n, (block + 1) * kAtOnce); ++v) {
+      if (run.cancelled()) return;
+      const Listening l =
+          listening(body, tree, mesh.V.row(v).transpose(), normals.row(v).transpose());
+      radius[v] = l.radius;
+      for (const auto& [part, share] : l.parts) system.right(v, part) = share;
+    }
+  });
+  if (run.cancelled()) return cancelled();
   limit_growth(mesh, radius);
   system.heat = kHeat * areas.cwiseQuotient(radius.cwiseAbs2());
   system.right = system.heat.asDiagonal() * system.right;
