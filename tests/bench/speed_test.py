@@ -1,7 +1,11 @@
 #!/usr/bin/env python3
+import re
 import unittest
+import xml.dom.minidom
 
 import capsules
+import growth
+import page
 import speed
 
 
@@ -57,6 +61,34 @@ class Capsules(unittest.TestCase):
             for contour in frame['contours']:
                 for point in contour['points']:
                     self.assertTrue(all(0 < c < capsules.SIZE for c in point), contour['joint'])
+
+
+class Page(unittest.TestCase):
+    def test_is_written_anew_between_its_marks_alone(self):
+        rows = {'hero': {'cpu': [1, 3, 2], 'wall': [4] * 3, 'peak': [100] * 3}}
+        lines = page.figures(rows, [growth.Growth('parts', [1, 2], [3, 6])], ['nobody else'],
+                             {'hero': (1.5, 200)})
+        old = f'above\n{page.BEGIN}\nold\n{page.END}\nbelow\n'
+        new = page.renewed(old, lines)
+        self.assertTrue(new.startswith('above\n') and new.endswith('\nbelow\n'))
+        self.assertNotIn('old', new)
+        self.assertIn('| hero | 2.00 (goal 1.5: **missed**) | 4.00 | 100 (goal 200) |', new)
+        self.assertIn('| parts | 1, 2 | 1.00 |', new)
+        self.assertEqual(page.renewed(new, lines), new)
+
+
+class Picture(unittest.TestCase):
+    def test_has_each_figure_where_its_line_is(self):
+        squares = growth.Growth('cells', [50, 100, 400], [0.5, 2, 32])
+        few = growth.Growth('parts', [5, 60], [1, 1.5])
+        drawn = growth.picture([squares, few])
+        xml.dom.minidom.parseString(drawn)
+        dots = [(float(x), float(y)) for x, y in re.findall(r'cx="([\d.]+)" cy="([\d.]+)"', drawn)]
+        self.assertEqual(len(dots), 5)
+        (ax, ay), (bx, by), (cx, cy) = dots[:3]
+        self.assertAlmostEqual((by - ay) / (bx - ax), (cy - by) / (cx - bx), places=2)
+        self.assertLess(cy, ay)
+        self.assertIn('>2.00<', drawn)
 
 
 if __name__ == '__main__':

@@ -2,6 +2,7 @@
 """Times whole runs of the program, each in a process of its own, and prints them beside their goals.
 
     table.py PROGRAM EXAMPLES [--web PROGRAM.js] [--quick] [--runs N] [--json OUT] [--against OLD]
+             [--picture OUT.svg] [--page BENCH.md]
 
 CPU time is of all threads and what the kernel did for them: on a machine that others use as well it
 is what tells. Peak is the most memory held at once. Results of one machine compare with its own."""
@@ -15,13 +16,15 @@ import tempfile
 import time
 
 import capsules
+import growth
+import page
 import peers
 import speed
 
 # Per row: CPU seconds, MB. Of the 15 parts of hero in 3 frames unless the name says otherwise.
 GOALS = {
     'hero, grid 100, 1 thread': (0.45, None),
-    'hero, grid 400': (20, 2048),
+    'hero, grid 512': (20, 2048),
     'hero, by the paper': (6, None),
     'hero, drawings 10 times as large': (3, 1024),
     '60 parts, 12 frames': (None, 2048),
@@ -50,6 +53,8 @@ class Bench:
     def __init__(self, program, examples, runs, place):
         self.program, self.examples, self.runs, self.place = program, examples, runs, place
         self.rows = {}
+        self.grown = []  # growth.Growth
+        self.notes = []  # further lines: a stage beside its goal, what others took or why they are left out
 
     def capsules(self, parts, frames):
         path = self.place / f'{parts}x{frames}.artisketch'
@@ -85,9 +90,10 @@ class Bench:
               + '  '.join(w for w in words if w), flush=True)
 
     def growth(self, what, sizes, names, goal=None):
-        costs = [speed.median(self.rows[name]['cpu']) for name in names]
-        p = speed.exponent(sizes, costs)
-        print(f'{"CPU time grows with " + what + " ^":40s} {p:7.2f}  {speed.judged(p, goal)}', flush=True)
+        grown = growth.Growth(what, sizes, [speed.median(self.rows[name]['cpu']) for name in names])
+        self.grown.append(grown)
+        print(f'{"CPU time grows with " + what + " ^":40s} {grown.exponent:7.2f}  '
+              f'{speed.judged(grown.exponent, goal)}', flush=True)
 
 
 def larger_drawings(bench, times):
@@ -119,12 +125,11 @@ def native(bench, quick):
         bench.row(f'hero, grid 100, {threads} thread' + 's' * (threads > 1), hero, '--threads', threads)
     for name in ('fox', 'robot'):
         bench.row(f'{name}, grid 100', bench.example(name), '--threads', 1)
-    grids = (48, 100, 200) if quick else (48, 100, 200, 400)
+    grids = (48, 100, 200, 512) if quick else (48, 72, 100, 144, 200, 288, 400, 512)
     for grid in grids:
         bench.row(f'hero, grid {grid}', hero, '--grid', grid, '--threads', 1,
                   runs=1 if grid > 200 else None)
-    finer = grids[1:]  # a coarse grid's time is that of all the rest
-    bench.growth('the grid', finer, [f'hero, grid {g}' for g in finer], GRID_EXPONENT_GOAL)
+    bench.growth('the grid', grids, [f'hero, grid {g}' for g in grids], GRID_EXPONENT_GOAL)
     parts = (5, 15, 30) if quick else (5, 15, 30, 60)
     for n in parts:
         bench.row(f'{n} parts, 3 frames', bench.capsules(n, 3), '--threads', 1)
@@ -137,6 +142,8 @@ def native(bench, quick):
         largest = bench.row('60 parts, 12 frames', bench.capsules(60, 12), '--threads', 1, runs=1)
         took = speed.median(largest['stages']['calibrate'])
         print(f'{"  of it calibration":40s} {took:7.2f} s  {speed.judged(took, CALIBRATE_GOAL)}')
+        bench.notes.append(f'calibration of 60 parts in 12 frames: {took:.2f} s '
+                           f'({speed.judged(took, CALIBRATE_GOAL)})')
         if shutil.which('convert'):
             bench.row('hero, drawings 10 times as large', larger_drawings(bench, 10), '--threads', 1,
                       runs=1)
@@ -173,6 +180,8 @@ def main():
     words.add_argument('--quick', action='store_true', help='some two minutes: fewer and smaller figures')
     words.add_argument('--runs', type=int, help='of each figure (5; quick: 3)')
     words.add_argument('--json', type=pathlib.Path, help='where to keep the results')
+    words.add_argument('--picture', type=pathlib.Path, help='where to draw how time grows')
+    words.add_argument('--page', type=pathlib.Path, help='a page whose figures are written anew')
     words.add_argument('--against', type=pathlib.Path, help='older results to print ratios with')
     asked = words.parse_args()
     with tempfile.TemporaryDirectory() as place:
@@ -187,6 +196,11 @@ def main():
     results = {'runs': bench.runs, 'rows': bench.rows}
     if asked.json:
         asked.json.write_text(json.dumps(results, indent=1))
+    if asked.picture:
+        asked.picture.write_text(growth.picture(bench.grown))
+    if asked.page:
+        figures = page.figures(bench.rows, bench.grown, bench.notes, GOALS)
+        asked.page.write_text(page.renewed(asked.page.read_text(), figures))
     if asked.against:
         print(f'ratios to {asked.against}, and what the middle halves of the runs allow:')
         print('\n'.join(speed.compared(results, json.loads(asked.against.read_text()))))
