@@ -20,10 +20,14 @@ using Mask = std::vector<std::uint8_t>;
 // any colour by at least so much.
 constexpr float kLightness = 0.6f, kTransparency = 0.6f;
 
-float apart(const Tone& x, const Tone& y) {
+}  // namespace
+
+float unlikeness(const Tone& x, const Tone& y) {
   const float l = x.l - y.l, a = x.a - y.a, b = x.b - y.b, t = x.alpha - y.alpha;
   return std::sqrt(l * l + a * a + b * b + t * t);
 }
+
+namespace {
 
 // How dark a pixel looks on white paper: OKLab's lightness.
 float lightness(const Tone& t) {
@@ -158,10 +162,10 @@ Mask paper_of(const SegmentedImage& image) {
   const Tone usual{middle(&Tone::l), middle(&Tone::a), middle(&Tone::b), middle(&Tone::alpha)};
   constexpr float kAlike = 0.06f;  // scans are uneven
   int alike = 0;
-  for (int i : rim) alike += apart(image.tones[i], usual) < kAlike;
+  for (int i : rim) alike += unlikeness(image.tones[i], usual) < kAlike;
   Mask like(std::size_t(n), 0);
   if (alike * 5 < int(rim.size()) * 3) return like;
-  for (int i = 0; i < n; ++i) like[i] = apart(image.tones[i], usual) < kAlike;
+  for (int i = 0; i < n; ++i) like[i] = unlikeness(image.tones[i], usual) < kAlike;
   // A gap of two pixels in an ink line lets nothing through.
   const Mask open = connected(shrunk(like, w, h), rim, w, h);
   const Mask near = grown(open, w, h);
@@ -236,7 +240,7 @@ FloodLevels flood_levels(const SegmentedImage& image, const Vec2& at) {
   float count = 1;
   neighbours(levels.seed, w, h, true, [&](int n) {
     const Tone& t = image.tones[n];
-    if (apart(t, seed) > 0.05f) return;
+    if (unlikeness(t, seed) > 0.05f) return;
     mean = {mean.l + t.l, mean.a + t.a, mean.b + t.b, mean.alpha + t.alpha};
     ++count;
   });
@@ -256,7 +260,8 @@ FloodLevels flood_levels(const SegmentedImage& image, const Vec2& at) {
       waiting[step].pop_back();
       neighbours(i, w, h, false, [&](int n) {
         if (levels.level[n] <= kMostUnlike || (image.paper[n] && !on_paper)) return;
-        reach(n, std::min(kMostUnlike, std::max(levels.level[i], apart(image.tones[n], mean))));
+        reach(n,
+              std::min(kMostUnlike, std::max(levels.level[i], unlikeness(image.tones[n], mean))));
       });
     }
   return levels;
@@ -271,14 +276,13 @@ struct Window {
   int x = 0, y = 0, w = 0, h = 0;
   Mask region, paper, ink;
   std::vector<Tone> tones;
-  int seed = 0;
 };
 
-Window window_about(const SegmentedImage& image, const FloodLevels& levels, float tolerance) {
+Window window_about(const SegmentedImage& image, const Mask& region) {
   const int w = image.width;
   int low_x = w, low_y = image.height, high_x = -1, high_y = -1;
-  for (int i = 0; i < int(levels.level.size()); ++i)
-    if (levels.level[i] <= tolerance) {
+  for (int i = 0; i < int(region.size()); ++i)
+    if (region[i]) {
       low_x = std::min(low_x, i % w), high_x = std::max(high_x, i % w);
       low_y = std::min(low_y, i / w), high_y = std::max(high_y, i / w);
     }
@@ -290,20 +294,19 @@ Window window_about(const SegmentedImage& image, const FloodLevels& levels, floa
   for (int y = 0; y < window.h; ++y)
     for (int x = 0; x < window.w; ++x) {
       const int i = (y + window.y) * w + x + window.x;
-      window.region.push_back(levels.level[i] <= tolerance);
+      window.region.push_back(region[i]);
       window.paper.push_back(image.paper[i]);
       window.ink.push_back(image.ink[i]);
       window.tones.push_back(image.tones[i]);
     }
-  window.seed = (levels.seed / w - window.y) * window.w + levels.seed % w - window.x;
   return window;
 }
 
 // What leaked through a gap of a pixel or two is let go.
-void cut_leaks(Window& v) {
+void cut_leaks(Window& v, int seed) {
   const Mask core = shrunk(v.region, v.w, v.h);
-  std::vector<int> seeds = {v.seed};
-  neighbours(v.seed, v.w, v.h, true, [&](int n) { seeds.push_back(n); });
+  std::vector<int> seeds = {seed};
+  neighbours(seed, v.w, v.h, true, [&](int n) { seeds.push_back(n); });
   const Mask own = connected(core, seeds, v.w, v.h);
   if (std::find(own.begin(), own.end(), 1) == own.end()) return;  // a thin line, as a whole
   const Mask near = grown(grown(own, v.w, v.h), v.w, v.h);
@@ -392,8 +395,31 @@ float covered(const Window& v, const Mask& core, const Mask& far, int i) {
   return square < 1e-6f ? float(v.region[i]) : std::clamp(dot / square, 0.0f, 1.0f);
 }
 
+// How many of the pixels close by are the region's, as a share.
+float share_about(const Window& v, int i) {
+  const int x = i % v.w, y = i / v.w;
+  float in = 0, all = 0;
+  for (int dy = -2; dy <= 2; ++dy)
+    for (int dx = -2; dx <= 2; ++dx) {
+      if (x + dx < 0 || y + dy < 0 || x + dx >= v.w || y + dy >= v.h) continue;
+      in += v.region[i + dy * v.w + dx];
+      ++all;
+    }
+  return in / all;
+}
+
+bool paper_about(const Window& v, int i) {
+  const int x = i % v.w, y = i / v.w;
+  for (int dy = -2; dy <= 2; ++dy)
+    for (int dx = -2; dx <= 2; ++dx)
+      if (x + dx >= 0 && y + dy >= 0 && x + dx < v.w && y + dy < v.h && v.paper[i + dy * v.w + dx])
+        return true;
+  return false;
+}
+
 // 1 inside, 0 outside, between them how much of a pixel belongs.
-std::vector<float> field_of(const Window& v) {
+//   drawn  all of the region's edge follows what is drawn; else only where it borders on paper
+std::vector<float> field_of(const Window& v, bool drawn) {
   const int n = v.w * v.h;
   // The edges of ink are mixed with what it borders on: they are ink as well.
   const Mask ink = grown(v.ink, v.w, v.h);
@@ -409,7 +435,9 @@ std::vector<float> field_of(const Window& v) {
   std::vector<float> field(v.region.size());
   for (int i = 0; i < n; ++i) {
     const bool both = in[i] + out[i] <= kReach;
-    if (ink[i] && both) {
+    if (!drawn && !paper_about(v, i)) {
+      field[i] = share_about(v, i);
+    } else if (ink[i] && both) {
       field[i] = std::clamp(0.5f + (out[i] - in[i]) / 2, 0.0f, 1.0f);
     } else if ((v.region[i] && core[i]) || (!v.region[i] && far[i])) {
       field[i] = v.region[i];
@@ -433,16 +461,9 @@ Polyline fitted(const Polyline& raw) {
   return raw;
 }
 
-}  // namespace
-
-std::optional<RegionOutline> region_outline(const SegmentedImage& image, const FloodLevels& levels,
-                                            double tolerance) {
-  if (image.tones.empty() || image.paper[levels.seed]) return std::nullopt;
-  const bool all = tolerance >= 1;
-  Window window = window_about(image, levels, all ? kMostUnlike : float(std::max(0.0, tolerance)));
-  if (!all) cut_leaks(window);
+std::optional<RegionOutline> outline_in(const SegmentedImage& image, Window window, bool drawn) {
   fill_holes(window);
-  std::vector<Polyline> lines = iso_lines(field_of(window), window.w, window.h);
+  std::vector<Polyline> lines = iso_lines(field_of(window, drawn), window.w, window.h);
   const auto area = [](const Polyline& a, const Polyline& b) {
     return signed_area(a) < signed_area(b);
   };
@@ -459,6 +480,27 @@ std::optional<RegionOutline> region_outline(const SegmentedImage& image, const F
   for (const Polyline& line : lines)
     if (-signed_area(line) > kHole * signed_area(*largest)) result.holes.push_back(placed(line));
   return result;
+}
+
+}  // namespace
+
+std::optional<RegionOutline> region_outline(const SegmentedImage& image, const FloodLevels& levels,
+                                            double tolerance) {
+  if (image.tones.empty() || image.paper[levels.seed]) return std::nullopt;
+  const bool all = tolerance >= 1;
+  const float most = all ? kMostUnlike : float(std::max(0.0, tolerance));
+  Mask region;
+  for (const float level : levels.level) region.push_back(level <= most);
+  Window window = window_about(image, region);
+  const int w = image.width;
+  if (!all) cut_leaks(window, (levels.seed / w - window.y) * window.w + levels.seed % w - window.x);
+  return outline_in(image, std::move(window), true);
+}
+
+std::optional<RegionOutline> outline_of_pixels(const SegmentedImage& image,
+                                               const std::vector<std::uint8_t>& pixels) {
+  if (std::find(pixels.begin(), pixels.end(), 1) == pixels.end()) return std::nullopt;
+  return outline_in(image, window_about(image, pixels), false);
 }
 
 }  // namespace artisketch

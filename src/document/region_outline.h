@@ -52,4 +52,13 @@ std::optional<RegionOutline> region_outline(const SegmentedImage& image, const F
                                             double tolerance);
 inline constexpr double kUsualTolerance = 0.1;
 
+// The same about chosen pixels of the image: its largest piece. Nothing where none is chosen.
+//   pixels  1 where it belongs, else 0; as many as the image has
+std::optional<RegionOutline> outline_of_pixels(const SegmentedImage& image,
+                                               const std::vector<std::uint8_t>& pixels);
+
+// How unlike two tones look: their distance in OKLab, where lightness counts less; at least 0.6
+// from nothing to an opaque colour.
+float unlikeness(const SegmentedImage::Tone& a, const SegmentedImage::Tone& b);
+
 }  // namespace artisketch

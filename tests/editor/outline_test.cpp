@@ -329,6 +329,44 @@ TEST(OutlineAlone, TraceNeedsAPicture) {
   EXPECT_TRUE(h.says("There is no picture to trace here."));
 }
 
+// ---------------------------------------------------------------- Outline all
+
+TEST_F(Outline, OutlineAllGivesEveryPartThatHasNoneOne) {
+  h.key(ImGuiKey_A, ImGuiMod_Ctrl);
+  h.key(ImGuiKey_Delete);
+  ASSERT_TRUE(contours(h).empty());
+  h.key(ImGuiKey_T, ImGuiMod_Shift);
+  EXPECT_EQ(contours(h).size(), 15u);
+  EXPECT_EQ(h.state().undo, "Outline 15 parts");
+  EXPECT_TRUE(h.says("15 parts are outlined."));
+  h.key(ImGuiKey_Z, ImGuiMod_Ctrl);
+  EXPECT_TRUE(contours(h).empty()) << "one step";
+}
+
+TEST_F(Outline, OutlineAllLeavesFinishedOnesAlone) {
+  choose("forearm.R");
+  const std::vector<Vec2> head = outline(h, "head").points;
+  h.point_at(h.on_screen(4, 4));  // over none of its points
+  h.key(ImGuiKey_Delete);
+  const std::size_t count = contours(h).size();
+  h.click("Outline all");
+  EXPECT_EQ(contours(h).size(), count + 1);
+  EXPECT_EQ(h.state().undo, "Outline Forearm R");
+  EXPECT_TRUE(h.says("1 part is outlined. Outlines that were there stay."));
+  EXPECT_EQ(outline(h, "head").points, head);
+  h.key(ImGuiKey_T, ImGuiMod_Shift);
+  EXPECT_TRUE(h.says("Every part has its outline here."));
+  EXPECT_EQ(h.state().undo, "Outline Forearm R");
+}
+
+TEST(OutlineAlone, OutlineAllNeedsAPicture) {
+  Harness h;
+  h.click("Blank paper");
+  h.click("Outline mode");
+  h.key(ImGuiKey_T, ImGuiMod_Shift);
+  EXPECT_TRUE(h.says("There is no picture to trace here."));
+}
+
 // ---------------------------------------------------------------- Cut
 
 TEST_F(Outline, CutMakesTwoThatOverlap) {

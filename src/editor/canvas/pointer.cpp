@@ -87,6 +87,13 @@ std::string part_words(const App& app, int joint) {
   return joint_words(app.document().skeleton.joints[std::size_t(joint)].name).whole();
 }
 
+std::string parts_listed(const App& app, const std::vector<int>& joints) {
+  std::string words;
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    words += (i == 0 ? "" : i + 1 == joints.size() ? " and " : ", ") + part_words(app, joints[i]);
+  return words;
+}
+
 OnLine nearest_on(const Polyline& line, const OnScreen& on, ImVec2 p) {
   OnLine best;
   for (std::size_t s = 0; s < line.segments(); ++s) {

@@ -47,5 +47,7 @@ Vec3 under_pointer(const ViewProjection& projection, ImVec2 p, const Vec3& X);
 
 // What people call a joint's part.
 std::string part_words(const App& app, int joint);
+// "Forearm L, Hand L and Foot L"
+std::string parts_listed(const App& app, const std::vector<int>& joints);
 
 }  // namespace artisketch

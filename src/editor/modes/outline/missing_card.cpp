@@ -18,14 +18,6 @@ std::vector<int> missing_parts(const App& app) {
   return missing;
 }
 
-// "Forearm L, Hand L and Foot L"
-std::string listed(const App& app, const std::vector<int>& joints) {
-  std::string words;
-  for (std::size_t i = 0; i < joints.size(); ++i)
-    words += (i == 0 ? "" : i + 1 == joints.size() ? " and " : ", ") + part_words(app, joints[i]);
-  return words;
-}
-
 std::string counted(std::size_t parts) {
   return parts == 1 ? "1 part" : std::to_string(parts) + " parts";
 }
@@ -71,8 +63,8 @@ void missing_card(App& app, const Layout& layout) {
   write(row.cut_top(24), Font::body_bold, t.text,
         counted(missing.size()) + (missing.size() == 1 ? " is" : " are") + " missing in " +
             drawing_words(app.document(), app.session.selection.frame));
-  write_lines(row, Font::caption, t.muted, listed(app, missing) + ". Other drawings can stand in.",
-              16);
+  write_lines(row, Font::caption, t.muted,
+              parts_listed(app, missing) + ". Other drawings can stand in.", 16);
 }
 
 }  // namespace artisketch

@@ -5,6 +5,7 @@
 #include "editor/canvas/pointer.h"
 #include "editor/modes/mode_commands.h"
 #include "editor/modes/outline/copy_to.h"
+#include "editor/modes/outline/outline_all.h"
 #include "editor/modes/outline/outline_edits.h"
 #include "editor/modes/outline/split_part.h"
 #include "editor/ui/icons.h"
@@ -258,6 +259,15 @@ void delete_point_or_outline(App& app) {
 
 std::vector<Command> commands_of_whose_and_how() {
   return {
+      {.id = "outline_all",
+       .name = "Outline all",
+       .icon = icon::kAutoFix,
+       .about = "Outline every part that has none here, each about its posed bone",
+       .key = ImGuiKey_T,
+       .shift = true,
+       .available = can_outline_all,
+       .what_it_lacks = why_not_outline_all,
+       .run = outline_all},
       {.id = "redraw",
        .name = "Redraw",
        .icon = icon::kPencil,

@@ -81,6 +81,8 @@ void without_outline(App& app, Rect place) {
   fit_lines(app, place, app.session.selection.joint);
   place.cut_top(6);
   command_button(app, "hidden_here", place.cut_top(34).inset(12, 0));
+  place.cut_top(8);
+  command_button(app, "outline_all", place.cut_top(34).inset(12, 0));
 }
 
 }  // namespace
@@ -114,7 +116,11 @@ void outline_panel(App& app, Rect place) {
   const Theme& t = theme();
   const bool fresh = app.session.new_outline.has_value();
   if (available(app, "hidden_here")) return without_outline(app, place);
-  if (!fresh && (app.session.selection.contour < 0 || !app.has_frame())) return;
+  if (!fresh && (app.session.selection.contour < 0 || !app.has_frame())) {
+    if (available(app, "outline_all"))
+      command_button(app, "outline_all", place.cut_top(34).inset(12, 0));
+    return;
+  }
   hairline({place.x + 16, place.y}, {place.right() - 16, place.y + 1});
   place.cut_top(10);
   const Polyline& line =
