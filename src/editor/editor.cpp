@@ -96,10 +96,14 @@ bool hurried(bool before) {
   return held >= 0 && (before || (io.DeltaTime > kSlow && held > io.DeltaTime));
 }
 
+// What greets rests while the gallery lies over it.
+bool plays(const App& app) {
+  return app.session.playback.playing && !(app.view.welcome && app.view.gallery);
+}
+
 void advance(App& app) {
   View& view = app.view;
-  if (!app.session.playback.playing || !app.session.built || app.session.built->model.clips.empty())
-    return;
+  if (!plays(app) || !app.session.built || app.session.built->model.clips.empty()) return;
   const std::vector<double>& times =
       app.session.built->model.clips[std::size_t(app.session.playback.clip)].times;
   const double end = times.empty() ? 0 : times.back();
@@ -219,8 +223,7 @@ double Editor::next_frame_in() const {
       ImGui::GetIO().MouseDownDuration[ImGuiMouseButton_Left] < kLongest)
     interval = kSmooth;
   const bool live = app.services.jobs.busy() && !app.busy();
-  if (app.session.playback.playing || app.changing_pose() || live || hints_move(app))
-    interval = kSmooth;
+  if (plays(app) || app.changing_pose() || live || hints_move(app)) interval = kSmooth;
   return interval - (app.services.platform.now() - parts_->drawn_at);
 }
 

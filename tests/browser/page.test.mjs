@@ -35,7 +35,7 @@ async function openHero(editor) {
   await editor.click('Outline mode');
   await editor.until((state) => state.mode === 'outline' && state.frames > 0);
   // The drawing finds its place with the frame after.
-  await editor.once(() => editor.page.evaluate(() => artisketch.project(0, 0, 0)?.x > 0));
+  await editor.once(() => editor.page.evaluate(() => artisketch.project(0, 0, 0)?.y > 0));
 }
 
 // Share of the picture's pixels that are unlike its commonest colour.

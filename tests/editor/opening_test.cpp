@@ -1,4 +1,6 @@
 // Documents one after the other: nothing of the one before may show in the next.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "editor/harness.h"
@@ -44,6 +46,34 @@ TEST(Opening, TheGalleryShowsEveryExample) {
   h.key(ImGuiKey_Escape);
   EXPECT_EQ(h.find("Example Monster"), nullptr);
   EXPECT_NE(h.find("Turn the model"), nullptr);
+}
+
+TEST(Opening, WhatGreetsRestsBehindTheGallery) {
+  Harness h({"hero", "monster"});
+  h.wait(0.5);
+  h.click("Gallery");
+  h.frames(2);
+  EXPECT_GT(h.editor().next_frame_in(), 1) << "nothing moves";
+  h.key(ImGuiKey_Escape);
+  h.frames(2);
+  EXPECT_LT(h.editor().next_frame_in(), 0.1) << "it plays on";
+}
+
+TEST(Opening, WhoJustDrawsHasABlankSheet) {
+  Harness h;
+  h.start_over();
+  h.click("Outline mode");
+  ASSERT_EQ(h.state().frames, 0);
+  std::vector<Vec2> round;
+  for (int i = 0; i <= 40; ++i)
+    round.push_back(Vec2(300, 700) + 60 * Vec2(std::cos(i * 0.16), std::sin(i * 0.16)));
+  h.draw(round);
+  h.frames(2);
+  ASSERT_EQ(h.state().frames, 1);
+  h.key(ImGuiKey_Enter);
+  ASSERT_EQ(h.document().frames[0].contours.size(), 1u) << "the stroke is not lost";
+  EXPECT_NEAR(bounds(std::span(&h.document().frames[0].contours[0].line, 1)).sizes().x(),
+              120 / (h.on_screen(1, 0) - h.on_screen(0, 0)).norm(), 8);
 }
 
 TEST(Opening, AFigureOfTheGalleryIsMadeWhereItIsOpened) {

@@ -220,9 +220,12 @@ void shortcut_sheet(App& app, float width, float height) {
 void toasts(App& app, const Layout& layout) {
   const Theme& t = theme();
   const double now = app.services.now;
-  // Over the band below the drawing, or the head of a tablet's sheet: the figure stays in view.
+  // Over the band below the drawing, or the head of a tablet's sheet: the figure stays in view. A
+  // sheet that is to be answered keeps its head.
   constexpr float kBand = 44, kSheetHead = 52;
-  float bottom = layout.tablet ? layout.inspector.y + kSheetHead - 4 : layout.strip.y - 2;
+  const bool answered = app.view.exporting || app.view.mapping;
+  float bottom =
+      layout.tablet ? layout.inspector.y + (answered ? 0 : kSheetHead) - 4 : layout.strip.y - 2;
   for (std::size_t i = 0; i < app.toasts.size();) {
     Toast& toast = app.toasts[i];
     if (toast.since < 0) toast.since = now;
