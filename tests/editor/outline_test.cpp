@@ -1,4 +1,6 @@
 // Outline: its tools and commands, by what they make of the document.
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 #include "base/distance_field.h"
@@ -39,6 +41,31 @@ TEST_F(Outline, EditDragsAPoint) {
   EXPECT_NEAR(lowest(now).y(), lowest(was).y() + 12 / zoom(h), 2);
   EXPECT_NEAR(leftmost(now).x(), leftmost(was).x(), 1e-9) << "what is far stays";
   expect_step("Move point");
+}
+
+TEST_F(Outline, EditTakesThePointsBesideAlongTheLessTheFartherTheyAre) {
+  h.key(ImGuiKey_T);
+  h.click(h.on_screen(285, 600));  // a traced outline has points close together
+  h.key(ImGuiKey_Enter);
+  h.key(ImGuiKey_V);
+  const Polyline was = contours(h).back().line;
+  const std::size_t lowest_point =
+      std::size_t(std::max_element(was.points.begin(), was.points.end(),
+                                   [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); }) -
+                  was.points.begin());
+  h.drag(on_screen(h, was.points[lowest_point]), {0, 20});
+  const Polyline now = contours(h).back().line;
+  ASSERT_EQ(now.points.size(), was.points.size());
+  std::vector<double> moved;
+  for (std::size_t i = 0; i < was.points.size(); ++i)
+    moved.push_back((now.points[i] - was.points[i]).norm());
+  const double most = *std::max_element(moved.begin(), moved.end());
+  EXPECT_NEAR(most, 20 / zoom(h), 0.5);
+  const auto between = std::count_if(
+      moved.begin(), moved.end(), [&](double by) { return by > 0.02 * most && by < 0.98 * most; });
+  const auto still = std::count(moved.begin(), moved.end(), 0);
+  EXPECT_GE(between, 2) << "neighbours go along, less";
+  EXPECT_GT(still, std::ptrdiff_t(was.points.size() / 2)) << "what is far stays";
 }
 
 TEST_F(Outline, EditBendsAnEdgeWhereItIsHeld) {
@@ -282,6 +309,72 @@ TEST_F(Outline, TwoPointsAreNoOutline) {
   expect_nothing_happened();
 }
 
+// ---------------------------------------------------------------- an outline that waits
+
+Vec2 joint_on_screen(const Harness& h, const std::string& name) {
+  const std::vector<Transform> posed =
+      posed_joints(h.document().skeleton, h.document().frames[0].pose);
+  return on_screen(
+      h, frame_camera(h.document(), 0).project(posed[std::size_t(joint(h, name))].translation()));
+}
+
+TEST_F(Outline, AStrokeMayBeginOverAJointWhileAnotherOutlineWaits) {
+  const std::size_t count = contours(h).size();
+  h.key(ImGuiKey_D);
+  h.draw(circle(h.on_screen(60, 60), 30));
+  const std::vector<Vec2> round = circle(joint_on_screen(h, "forearm.L") - Vec2(25, 0), 25);
+  h.draw(round);  // begins and ends at the joint
+  EXPECT_EQ(contours(h).size(), count + 1) << "what waited is kept";
+  h.key(ImGuiKey_Enter);
+  ASSERT_EQ(contours(h).size(), count + 2) << "and what was drawn";
+  const Polyline& drawn = contours(h).back().line;
+  EXPECT_NEAR(bounds(std::span(&drawn, 1)).sizes().x(), 50 / zoom(h), 4 / zoom(h));
+}
+
+TEST_F(Outline, AClickOnAJointGivesItTheOutlineThatWaits) {
+  h.key(ImGuiKey_D);
+  h.draw(circle(h.on_screen(60, 60), 30));
+  h.click(joint_on_screen(h, "shin.L"));
+  h.key(ImGuiKey_Enter);
+  EXPECT_EQ(contours(h).back().joint, joint(h, "shin.L"));
+}
+
+TEST_F(Outline, ACutMayBeginOverAJointWhileAnOutlineWaits) {
+  h.key(ImGuiKey_T);
+  h.drag(h.on_screen(285, 600), {400, 0});  // the whole figure
+  const std::size_t count = contours(h).size();
+  h.key(ImGuiKey_K);
+  const Vec2 elbow = joint_on_screen(h, "forearm.L"), across(zoom(h) * 50, zoom(h) * 50);
+  h.drag(elbow, across);
+  EXPECT_GE(contours(h).size(), count + 1) << "the whole is kept";
+}
+
+TEST_F(Outline, WhatWaitsIsKeptByJobsAndBySaving) {
+  const std::size_t count = contours(h).size();
+  h.key(ImGuiKey_D);
+  h.draw(circle(h.on_screen(60, 60), 30));
+  h.key(ImGuiKey_R);
+  EXPECT_EQ(contours(h).size(), count + 1);
+  h.settle();
+  h.click("Outline mode");
+  h.draw(circle(h.on_screen(60, 160), 30));
+  h.key(ImGuiKey_C, ImGuiMod_Shift);
+  EXPECT_EQ(contours(h).size(), count + 2);
+  h.settle();
+  h.click("Discard");
+  h.click("Outline mode");
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl);
+  ASSERT_FALSE(h.platform.unsaved_shown);
+  h.draw(circle(h.on_screen(60, 260), 30));
+  EXPECT_TRUE(h.platform.unsaved_shown);
+  h.key(ImGuiKey_S, ImGuiMod_Ctrl);
+  ASSERT_EQ(h.platform.files.size(), 1u);
+  const Result<Document> saved = parse_document(h.platform.files.begin()->second, "saved");
+  ASSERT_TRUE(saved.ok());
+  EXPECT_EQ(saved->frames[0].contours.size(), count + 3);
+  EXPECT_EQ(contours(h).size(), count + 3);
+}
+
 // ---------------------------------------------------------------- Trace
 
 TEST_F(Outline, TraceOutlinesTheShapeUnderThePointer) {
@@ -331,6 +424,45 @@ TEST(OutlineAlone, TraceNeedsAPicture) {
 
 // ---------------------------------------------------------------- Outline all
 
+std::string picture(const std::string& place) {
+  std::ifstream file(std::string(ARTISKETCH_SOURCE_DIR "/assets/") + place, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Drawings in, a template over them, outlines, model, file: no pointer draws anything. What is
+// clicked are buttons, which Tab reaches in the page (tests/browser/page.test.mjs).
+TEST(OutlineAlone, FromABlankPageToAnExportWithoutDrawing) {
+  Harness h;
+  h.start_over();
+  h.platform.to_open.push_back(
+      std::vector<NamedBytes>{{"front.png", picture("gallery/alien/front.png"), ""},
+                              {"behind.png", picture("gallery/alien/behind.png"), ""}});
+  h.key(ImGuiKey_O, ImGuiMod_Ctrl);
+  h.frames(3);
+  ASSERT_EQ(h.state().frames, 2);
+  h.key(ImGuiKey_2);
+  h.click("Template Human");
+  h.key(ImGuiKey_Comma);
+  for (const int frame : {0, 1}) {
+    h.key(ImGuiKey_1);
+    h.key(ImGuiKey_T, ImGuiMod_Shift);
+    EXPECT_GE(contours(h, frame).size(), 6u) << "drawing " << frame << ": " << h.said();
+    h.key(ImGuiKey_Period);
+  }
+  h.key(ImGuiKey_R);
+  h.settle();
+  ASSERT_TRUE(h.state().has_model) << h.said();
+  h.key(ImGuiKey_E, ImGuiMod_Ctrl);
+  const std::vector<std::string> labels = h.labels();
+  const auto button = std::find_if(labels.begin(), labels.end(), [](const std::string& label) {
+    return label.starts_with("Export ") && label.ends_with(".glb");
+  });
+  ASSERT_NE(button, labels.end());
+  h.click(*button);
+  ASSERT_EQ(h.platform.files.size(), 1u);
+  EXPECT_TRUE(h.platform.files.begin()->second.starts_with("glTF"));
+}
+
 TEST_F(Outline, OutlineAllGivesEveryPartThatHasNoneOne) {
   h.key(ImGuiKey_A, ImGuiMod_Ctrl);
   h.key(ImGuiKey_Delete);
@@ -351,12 +483,12 @@ TEST_F(Outline, OutlineAllLeavesFinishedOnesAlone) {
   const std::size_t count = contours(h).size();
   h.click("Outline all");
   EXPECT_EQ(contours(h).size(), count + 1);
-  EXPECT_EQ(h.state().undo, "Outline Forearm R");
+  EXPECT_EQ(h.state().undo, "Outline 1 part");
   EXPECT_TRUE(h.says("1 part is outlined. Outlines that were there stay."));
   EXPECT_EQ(outline(h, "head").points, head);
   h.key(ImGuiKey_T, ImGuiMod_Shift);
   EXPECT_TRUE(h.says("Every part has its outline here."));
-  EXPECT_EQ(h.state().undo, "Outline Forearm R");
+  EXPECT_EQ(h.state().undo, "Outline 1 part");
 }
 
 TEST(OutlineAlone, OutlineAllNeedsAPicture) {

@@ -89,6 +89,7 @@ void open_example(App& app, const std::string& name, bool greet) {
 }
 
 void save(App& app, bool ask_where, std::function<void()> then) {
+  app.session.keep_new_outline();
   const std::string proposed =
       app.session.file.name.empty()
           ? (app.document().name.empty() ? "untitled" : app.document().name) + ".artisketch"

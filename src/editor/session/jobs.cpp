@@ -12,6 +12,7 @@
 namespace artisketch {
 
 void start_job(App& app, JobRequest::Kind kind) {
+  app.session.keep_new_outline();
   JobRequest request;
   request.kind = kind;
   request.document = document_text(app.services.drawings.whole(app.document()));

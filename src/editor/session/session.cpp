@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "document/animate.h"
+#include "document/edit.h"
 
 namespace artisketch {
 
@@ -55,6 +56,22 @@ void Session::change(const std::string& undo_name, Document next) {
 void Session::drop_gesture() {
   if (gesture_moved_) history.undo(), settle();
   begin_gesture();
+}
+
+void Session::keep_new_outline() {
+  if (!new_outline) return;
+  const NewOutline fresh = std::move(*new_outline);
+  new_outline.reset();
+  const int joint = fresh.joints[std::size_t(fresh.choice)];
+  Document next = with_contour(document(), fresh.frame, {joint, fresh.line, ""});
+  const int contour = int(next.frames[std::size_t(fresh.frame)].contours.size()) - 1;
+  for (const Polyline& hole : fresh.holes)
+    next = with_contour(std::move(next), fresh.frame, {joint, hole, ""});
+  const std::string part = joint_words(document().skeleton.joints[std::size_t(joint)].name).whole();
+  commit(fresh.verb + " " + part, std::move(next));
+  if (fresh.frame != selection.frame) return;
+  selection.joint = joint;
+  selection.contour = contour;
 }
 
 bool Session::brings_back_outline() const {

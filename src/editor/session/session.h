@@ -259,7 +259,7 @@ struct Session {
   // All that are chosen; empty: none.
   ContourSet chosen_outlines() const;
   void choose_outlines(const ContourSet& which);
-  bool unsaved() const { return history.revision() != file.saved; }
+  bool unsaved() const { return new_outline || history.revision() != file.saved; }
   // The document is no longer as the model was made from it, or there is none.
   bool stale() const { return !built || !built->fresh; }
   // The document is as the model was made from it, and no other pose stands beside: what fits is
@@ -277,6 +277,9 @@ struct Session {
   void go_on_amending() { gesture_moved_ = true; }
   // The gesture was meant otherwise: the document is as before.
   void drop_gesture();
+  // An outline that waits, if one does, is its part's. What reads the document as a whole, a job or
+  // a file, would lose it otherwise.
+  void keep_new_outline();
   // An outline that waits to be kept is the last thing that was done: undo takes that back first.
   bool can_undo() const { return new_outline || history.can_undo(); }
   bool can_redo() const { return brings_back_outline() || history.can_redo(); }

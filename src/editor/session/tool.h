@@ -36,6 +36,8 @@ class Tool {
   virtual bool holds_pointer() const { return false; }
   // The wheel is its own: the view doesn't zoom.
   virtual bool takes_wheel(const App&, const Pointer&, const Stage&) const { return false; }
+  // A press begins a line, over a joint as well; other tools' presses there are the joint's.
+  virtual bool draws_lines() const { return false; }
   // A click on a joint gives it the chosen outline.
   virtual bool gives_outlines() const { return false; }
   // Result: it needs the parts as they are edited, the spheres that join them, the bones in sight.

@@ -358,6 +358,13 @@ void crossing_chips(App& app, const Rect& place) {
 }
 
 // What the tool in hand does with the pointer, and shows.
+// A joint is meant by a press on it; with a tool whose line may begin there, by a click.
+bool takes_offer(const App& app, const Pointer& p) {
+  constexpr float kStays = 4;  // points that a click moves
+  const float farthest = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left];
+  return app.tool().draws_lines() ? p.released && farthest < kStays * kStays : p.pressed;
+}
+
 //   clear  where no other tools float over the place
 void use_tool(App& app, const Rect& place, const Rect& clear) {
   const Stage stage{place, app.view.sketch.on()};
@@ -372,9 +379,10 @@ void use_tool(App& app, const Rect& place, const Rect& clear) {
   const bool outlining = app.view.mode == Mode::outline;
   const Offer offer = outlining ? offer_under(app, p, stage) : Offer();
   if (offer.part >= 0) paint_offer(app, offer, p);
-  if (offer.part >= 0 && p.pressed) {
+  if (offer.part >= 0 && takes_offer(app, p)) {
+    if (app.tool().under_way()) app.tool().cancel(app);
     reassign(app, offer.part);
-    p.pressed = p.held = p.dragging = false;
+    p.pressed = p.held = p.released = p.dragging = false;
   }
   app.tool().pointer(app, p, stage);
   app.tool().paint(app, p, stage);
@@ -411,6 +419,19 @@ void invitation(App& app, const Rect& place) {
   command_button(app, "blank_drawing", beside ? row.cut_right(half) : column.cut_top(kButton));
 }
 
+// A stroke where no drawing is begins a blank sheet, and goes on there.
+void draw_on_nothing(App& app, const Rect& place) {
+  Pointer p = pointer_on_sketch(place, app.view.sketch.on());
+  if (!p.pressed || app.view.mode != Mode::outline) return;
+  perform(app, "blank_drawing");
+  if (!app.has_frame()) return;
+  fit(app.view.sketch, app.frame(), place);
+  app.take_up(Mode::outline, "draw");
+  const Stage stage{place, app.view.sketch.on()};
+  p.at = stage.on.back(p.screen);
+  app.tool().pointer(app, p, stage);
+}
+
 // Beside a large model (tablets): to look at, and to tap.
 void as_inset(App& app, const Rect& place, float pixel_ratio) {
   const Theme& t = theme();
@@ -440,6 +461,7 @@ void sketch_panel(App& app, const Layout& layout, float pixel_ratio) {
     Rect free = place;  // tablets: beside the rail, which floats there
     if (layout.tablet) free.cut_left(rail_place(app, layout).right() - place.x);
     invitation(app, free);
+    draw_on_nothing(app, free);
     return;
   }
   if (layout.swapped) return as_inset(app, place, pixel_ratio);

@@ -14,15 +14,13 @@ namespace {
 class CutTool : public Tool {
  public:
   void pointer(App& app, const Pointer& p, const Stage& stage) override {
-    if (p.pressed) {
-      if (app.session.new_outline) keep_outline(app);
-      line_ = {p.at, p.at};
-    }
+    if (p.pressed) line_ = {p.at, p.at};
     if (!line_) return;
     if (p.held || p.released) line_->to = p.at;
     if (!p.released) return;
     const Line line = *line_;
     line_.reset();
+    app.session.keep_new_outline();
     if (cut(app, line, stage.on)) return;
     Toast toast;
     toast.words = why_not(app, line);
@@ -40,6 +38,7 @@ class CutTool : public Tool {
     return "Drag a line across a part: it becomes two that overlap.";
   }
   bool under_way() const override { return line_.has_value(); }
+  bool draws_lines() const override { return true; }
   void cancel(App&) override { line_.reset(); }
 
  private:

@@ -52,6 +52,7 @@ class DrawTool : public Tool {
            "redraw that piece.";
   }
   bool under_way() const override { return !stroke_.empty(); }
+  bool draws_lines() const override { return true; }
   void cancel(App&) override { stroke_.clear(); }
 
  private:

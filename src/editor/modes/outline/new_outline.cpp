@@ -46,7 +46,7 @@ int part_of(const Document& document, int joint) {
 }  // namespace
 
 void propose(App& app, NewOutline fresh) {
-  if (app.session.new_outline) keep_outline(app);
+  app.session.keep_new_outline();
   fresh.frame = app.session.selection.frame;
   fresh.arrived = app.services.frames;
   find_candidates(app, fresh);
@@ -66,20 +66,6 @@ void trace_again(App& app, double tolerance) {
   fresh.line = std::move(traced_anew->outline);
   fresh.holes = std::move(traced_anew->holes);
   find_candidates(app, fresh);
-}
-
-void keep_outline(App& app) {
-  const NewOutline fresh = std::move(*app.session.new_outline);
-  app.session.new_outline.reset();
-  const int joint = fresh.joints[std::size_t(fresh.choice)];
-  Document next = with_contour(app.document(), fresh.frame, {joint, fresh.line, ""});
-  const int contour = int(next.frames[std::size_t(fresh.frame)].contours.size()) - 1;
-  for (const Polyline& hole : fresh.holes)
-    next = with_contour(std::move(next), fresh.frame, {joint, hole, ""});
-  app.session.commit(fresh.verb + " " + part_words(app, joint), std::move(next));
-  if (fresh.frame != app.session.selection.frame) return;
-  app.session.selection.joint = joint;
-  app.session.selection.contour = contour;
 }
 
 void reassign(App& app, int joint) {
@@ -128,7 +114,7 @@ void answer_pending(App& app, const Pointer& p) {
   // The Enter that closed it does not keep it as well.
   if (fresh.frame != app.session.selection.frame || fresh.arrived == app.services.frames) return;
   if (p.tab) fresh.choice = (fresh.choice + 1) % int(fresh.joints.size());
-  if (p.enter) keep_outline(app);
+  if (p.enter) app.session.keep_new_outline();
 }
 
 void paint_pending(const App& app, const Rect& place, const OnScreen& on) {

@@ -9,7 +9,6 @@ namespace artisketch {
 void propose(App& app, NewOutline fresh);
 // The pending outline, which was traced, with another tolerance.
 void trace_again(App& app, double tolerance);
-void keep_outline(App& app);
 // Whose the pending outline is, or else the chosen one.
 void reassign(App& app, int joint);
 

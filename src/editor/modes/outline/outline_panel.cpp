@@ -93,7 +93,7 @@ void new_outline_sheet(App& app, Rect place) {
   Rect head = place.cut_top(56).inset(16, 6);
   Look keep;
   keep.primary = true;
-  if (button("Keep", head.cut_right(104), keep)) return keep_outline(app);
+  if (button("Keep", head.cut_right(104), keep)) return app.session.keep_new_outline();
   for (const std::string_view command : {"other_joint", "redraw"}) {
     head.cut_right(8);
     command_button(app, command, head.cut_right(command == "redraw" ? 108.0f : 136.0f));

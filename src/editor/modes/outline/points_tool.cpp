@@ -15,7 +15,7 @@ class PointsTool : public Tool {
   void pointer(App& app, const Pointer& p, const Stage& stage) override {
     const bool closes = closes_at(p, stage);
     if (p.pressed && !closes) {
-      if (points_.empty() && app.session.new_outline) keep_outline(app);
+      if (points_.empty()) app.session.keep_new_outline();
       points_.push_back(p.at);
       tangents_.push_back(Vec2::Zero());
     }
