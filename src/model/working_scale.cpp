@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace artisketch {
 namespace {
@@ -22,49 +24,53 @@ struct Rows {
   int width, height;
 };
 
-bool all_opaque(const Rows& rows) {
-  const std::size_t pixels = std::size_t(rows.width) * rows.height;
-  std::array<std::uint8_t, 4> all = {255, 255, 255, 255};  // of each channel: compilers take many
-  for (std::size_t i = 0; i < pixels; ++i)
-    for (int c = 0; c < 4; ++c) all[c] &= rows.rgba[4 * i + c];
-  return all[3] == 255;
-}
-
-// The means of opaque blocks: down all columns at once, then along the row.
-//   sums  scratch
-void opaque_means(const Rows& rows, int side, std::vector<std::uint16_t>& sums, std::uint8_t* to) {
-  static_assert(kMostShrunk * 255 <= 0xFFFF);
+// Down each column, of each channel.
+void add_up(const Rows& rows, std::vector<std::uint16_t>& sums) {
+  static_assert(kMostShrunk * kMostShrunk * 255 <= 0xFFFF);  // a whole block's, too
   const std::size_t stride = 4 * std::size_t(rows.width);
   sums.assign(stride, 0);
+  std::uint16_t* const to = sums.data();
   for (int v = 0; v < rows.height; ++v) {
-    const std::uint8_t* row = rows.rgba + stride * v;
-    for (std::size_t i = 0; i < stride; ++i) sums[i] = std::uint16_t(sums[i] + row[i]);
-  }
-  for (int left = 0; left < rows.width; left += side, to += 4) {
-    const int right = std::min(left + side, rows.width);
-    const unsigned pixels = unsigned((right - left) * rows.height);
-    std::array<unsigned, 4> sum = {};
-    for (int u = left; u < right; ++u)
-      for (int c = 0; c < 4; ++c) sum[c] += sums[4 * std::size_t(u) + c];
-    for (int c = 0; c < 4; ++c) to[c] = std::uint8_t((sum[c] + pixels / 2) / pixels);
+    const std::uint8_t* const row = rows.rgba + stride * v;
+    for (std::size_t i = 0; i < stride; ++i) to[i] = std::uint16_t(to[i] + row[i]);
   }
 }
 
-// The same of others: of their colours by how much they cover.
-void covered_means(const Rows& rows, int side, std::uint8_t* to) {
+// The mean of a block's pixels, of columns [left, right): of their colours by how much they cover.
+void covered_mean(const Rows& rows, int left, int right, std::uint8_t* to) {
+  std::array<unsigned, 3> sum = {};
+  unsigned alpha = 0;
+  for (int v = 0; v < rows.height; ++v)
+    for (int u = left; u < right; ++u) {
+      const std::uint8_t* p = rows.rgba + 4 * (std::size_t(v) * rows.width + u);
+      for (int c = 0; c < 3; ++c) sum[c] += unsigned(p[c]) * p[3];
+      alpha += p[3];
+    }
+  const unsigned pixels = unsigned((right - left) * rows.height);
+  for (int c = 0; c < 3; ++c) to[c] = std::uint8_t((sum[c] + alpha / 2) / alpha);
+  to[3] = std::uint8_t((alpha + pixels / 2) / pixels);
+}
+
+// The means of all blocks; most are wholly opaque or wholly clear.
+//   sums  of their columns
+void means(const Rows& rows, int side, const std::vector<std::uint16_t>& sums, std::uint8_t* to) {
   for (int left = 0; left < rows.width; left += side, to += 4) {
     const int right = std::min(left + side, rows.width);
-    std::array<unsigned, 3> sum = {};
-    unsigned alpha = 0;
-    for (int v = 0; v < rows.height; ++v)
-      for (int u = left; u < right; ++u) {
-        const std::uint8_t* p = rows.rgba + 4 * (std::size_t(v) * rows.width + u);
-        for (int c = 0; c < 3; ++c) sum[c] += unsigned(p[c]) * p[3];
-        alpha += p[3];
-      }
     const unsigned pixels = unsigned((right - left) * rows.height);
-    for (int c = 0; c < 3; ++c) to[c] = std::uint8_t(alpha ? (sum[c] + alpha / 2) / alpha : 0);
-    to[3] = std::uint8_t((alpha + pixels / 2) / pixels);
+    std::uint64_t four = 0;  // channels, none of which runs over into the next
+    for (int u = left; u < right; ++u) {
+      std::uint64_t column;
+      std::memcpy(&column, &sums[4 * std::size_t(u)], sizeof column);
+      four += column;
+    }
+    std::array<std::uint16_t, 4> sum;
+    std::memcpy(sum.data(), &four, sizeof four);
+    if (sum[3] == 255 * pixels)
+      for (int c = 0; c < 4; ++c) to[c] = std::uint8_t((sum[c] + pixels / 2) / pixels);
+    else if (sum[3] == 0)
+      std::fill_n(to, 4, std::uint8_t(0));
+    else
+      covered_mean(rows, left, right, to);
   }
 }
 
@@ -136,10 +142,8 @@ Image mean_of_blocks(const std::uint8_t* rgba, int width, int height, int side) 
   for (int y = 0; y < out.height; ++y) {
     const Rows rows{rgba + 4 * std::size_t(width) * y * side, width,
                     std::min(side, height - y * side)};
-    if (all_opaque(rows))
-      opaque_means(rows, side, sums, out.at(0, y));
-    else
-      covered_means(rows, side, out.at(0, y));
+    add_up(rows, sums);
+    means(rows, side, sums, out.at(0, y));
   }
   return out;
 }
