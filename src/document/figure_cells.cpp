@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/sparse.h"
-
 namespace artisketch {
 
 Cells cells_of(const SegmentedImage& image) {
@@ -58,57 +56,99 @@ std::vector<float> inset(const Cells& cells, const Flags& chosen) {
   return way;
 }
 
-Eigen::MatrixXf meetings(const Cells& cells, const std::vector<int>& seeds,
-                         const Eigen::MatrixXf& pulls) {
-  const int labels = int(pulls.cols());
-  Eigen::MatrixXf likely = Eigen::MatrixXf::Zero(cells.count(), labels);
+int Shares::largest(int cell) const {
+  int best = -1;
+  for (int l = 0; l < labels; ++l)
+    if (at(cell, l) > (best < 0 ? 0 : at(cell, best))) best = l;
+  return best;
+}
+
+namespace {
+
+// The walk's equations: what a cell is, its neighbours' are on the mean, by the steps' weights.
+struct Row {
+  int cell = 0;
+  double sum = 0;                  // of all weights
+  int next[4] = {-1, -1, -1, -1};  // rows
+  double weight[4] = {0, 0, 0, 0};
+};
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+// By conjugate gradients: a sparse factorisation would take the page three times the code of all
+// this. The matrix is symmetric and positive definite, as something known borders on each piece.
+std::vector<double> solved(const std::vector<Row>& rows, std::vector<double> r) {
+  constexpr int kMostSteps = 2000;
+  constexpr double kLeft = 1e-3;  // of the right-hand side
+  std::vector<double> x(rows.size(), 0), p(rows.size(), 0), z(rows.size()), Ap(rows.size());
+  const double enough = kLeft * kLeft * dot(r, r);
+  double before = 0;
+  for (int step = 0; step < kMostSteps && dot(r, r) > enough; ++step) {
+    for (std::size_t i = 0; i < rows.size(); ++i) z[i] = r[i] / rows[i].sum;
+    const double now = dot(r, z), beta = step > 0 ? now / before : 0;
+    before = now;
+    for (std::size_t i = 0; i < rows.size(); ++i) p[i] = z[i] + beta * p[i];
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      Ap[i] = rows[i].sum * p[i];
+      for (int k = 0; k < 4; ++k)
+        if (rows[i].next[k] >= 0) Ap[i] -= rows[i].weight[k] * p[rows[i].next[k]];
+    }
+    const double alpha = now / dot(p, Ap);
+    for (std::size_t i = 0; i < rows.size(); ++i) x[i] += alpha * p[i], r[i] -= alpha * Ap[i];
+  }
+  return x;
+}
+
+}  // namespace
+
+Shares meetings(const Cells& cells, const std::vector<int>& seeds, const Shares& pulls) {
+  Shares likely(cells.count(), pulls.labels);
   // What hangs together with a seed.
   std::vector<int> index(std::size_t(cells.count()), -1), open;
   Flags reached(std::size_t(cells.count()), 0);
+  std::vector<Row> rows;
   for (int c = 0; c < cells.count(); ++c)
-    if (seeds[c] >= 0) reached[c] = 1, open.push_back(c), likely(c, seeds[c]) = 1;
-  std::vector<int> unknown;
+    if (seeds[c] >= 0) reached[c] = 1, open.push_back(c), likely.at(c, seeds[c]) = 1;
   while (!open.empty()) {
     const int c = open.back();
     open.pop_back();
-    if (seeds[c] < 0) index[c] = int(unknown.size()), unknown.push_back(c);
+    if (seeds[c] < 0) {
+      index[c] = int(rows.size());
+      rows.emplace_back().cell = c;
+    }
     beside(cells, c, [&](int n) {
       if (cells.figure[n] && !reached[n]) reached[n] = 1, open.push_back(n);
     });
   }
-  if (unknown.empty()) return likely;
   constexpr double kEdge = 0.07, kLeast = 0.03;
-  const auto weight = [&](int a, int b) {
-    const double d = unlikeness(cells.tones[a], cells.tones[b]) / kEdge;
-    return std::max(kLeast, std::exp(-d * d));
-  };
-  std::vector<Eigen::Triplet<double>> entries;
-  Columns known = Columns::Zero(Eigen::Index(unknown.size()), labels);
-  for (const int c : unknown) {
-    const int i = index[c];
-    double sum = 0;
-    for (int l = 0; l < labels; ++l) {
-      sum += double(pulls(c, l));
-      known(i, l) += double(pulls(c, l));
+  std::vector<std::vector<double>> known(std::size_t(pulls.labels),
+                                         std::vector<double>(rows.size(), 0));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Row& row = rows[i];
+    for (int l = 0; l < pulls.labels; ++l) {
+      row.sum += pulls.at(row.cell, l);
+      known[l][i] = pulls.at(row.cell, l);
     }
-    beside(cells, c, [&](int n) {
+    int k = 0;
+    beside(cells, row.cell, [&](int n) {
       if (!cells.figure[n]) return;
-      const double w = weight(c, n);
-      sum += w;
+      const double d = unlikeness(cells.tones[row.cell], cells.tones[n]) / kEdge;
+      const double w = std::max(kLeast, std::exp(-d * d));
+      row.sum += w;
       if (seeds[n] >= 0)
-        known(i, seeds[n]) += w;
+        known[seeds[n]][i] += w;
       else
-        entries.emplace_back(i, index[n], -w);
+        row.next[k] = index[n], row.weight[k] = w, ++k;
     });
-    entries.emplace_back(i, i, sum);
   }
-  SparseMatrix A(Eigen::Index(unknown.size()), Eigen::Index(unknown.size()));
-  A.setFromTriplets(entries.begin(), entries.end());
-  const Factors factors(A);
-  if (factors.info() != Eigen::Success) return likely;
-  const Columns found = solve(factors, known);
-  for (const int c : unknown)
-    for (int l = 0; l < labels; ++l) likely(c, l) = float(found(index[c], l));
+  for (int l = 0; l < pulls.labels; ++l) {
+    const std::vector<double> x = solved(rows, std::move(known[l]));
+    for (std::size_t i = 0; i < rows.size(); ++i) likely.at(rows[i].cell, l) = float(x[i]);
+  }
   return likely;
 }
 

@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "document/region_outline.h"
 
 namespace artisketch {
@@ -24,6 +22,16 @@ struct Cells {
     return int(p.y()) * width + int(p.x());
   }
   Vec2 middle(int cell) const { return {cell % width + 0.5, cell / width + 0.5}; }
+};
+
+// By cell and label.
+struct Shares {
+  int labels = 0;
+  std::vector<float> values;
+  Shares(int cells, int labels) : labels(labels), values(std::size_t(cells) * labels, 0) {}
+  float& at(int cell, int label) { return values[std::size_t(cell) * labels + label]; }
+  float at(int cell, int label) const { return values[std::size_t(cell) * labels + label]; }
+  int largest(int cell) const;  // −1: none above 0
 };
 
 // So many that the figure's longer side has at least 160, where it has as many pixels. None where
@@ -50,7 +58,6 @@ std::vector<float> inset(const Cells& cells, const Flags& chosen);
 //          one colour weighs 1
 // Source: Grady 2006, "Random walks for image segmentation"; pulls are the priors of Grady 2005,
 // "Multilabel random walker image segmentation using prior models".
-Eigen::MatrixXf meetings(const Cells& cells, const std::vector<int>& seeds,
-                         const Eigen::MatrixXf& pulls);
+Shares meetings(const Cells& cells, const std::vector<int>& seeds, const Shares& pulls);
 
 }  // namespace artisketch

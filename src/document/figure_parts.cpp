@@ -148,10 +148,10 @@ Seeds seeds_of(const Skeletal& all, const Cells& cells) {
 // ---------------------------------------------------------------- who gets which cell
 
 // Outlines that are there draw what lies in them to their parts; what lies in a thing is no part's.
-Eigen::MatrixXf pulls_of(const Document& document, int frame, const Skeletal& all,
-                         const Cells& cells, double cell) {
+Shares pulls_of(const Document& document, int frame, const Skeletal& all, const Cells& cells,
+                double cell) {
   constexpr float kPull = 0.02f;  // a step within one colour: 1
-  Eigen::MatrixXf pulls = Eigen::MatrixXf::Zero(cells.count(), Eigen::Index(all.parts.size()));
+  Shares pulls(cells.count(), int(all.parts.size()));
   for (std::size_t l = 0; l < all.parts.size(); ++l) {
     const std::vector<std::vector<Vec2>> lines =
         closed_contours(document.frames[frame], all.parts[l]);
@@ -159,24 +159,20 @@ Eigen::MatrixXf pulls_of(const Document& document, int frame, const Skeletal& al
     for (const std::vector<Vec2>& line : lines) closed.push_back({line, true});
     if (closed.empty()) continue;
     for (int c = 0; c < cells.count(); ++c)
-      if (cells.figure[c] && contains(closed, cell * cells.middle(c)))
-        pulls(c, Eigen::Index(l)) = kPull;
+      if (cells.figure[c] && contains(closed, cell * cells.middle(c))) pulls.at(c, int(l)) = kPull;
   }
   return pulls;
 }
 
-std::vector<int> likeliest(const Eigen::MatrixXf& likely) {
+std::vector<int> likeliest(const Cells& cells, const Shares& likely) {
   std::vector<int> labels;
-  for (Eigen::Index c = 0; c < likely.rows(); ++c) {
-    Eigen::Index best = 0;
-    labels.push_back(likely.row(c).maxCoeff(&best) > 0 ? int(best) : -1);
-  }
+  for (int c = 0; c < cells.count(); ++c) labels.push_back(likely.largest(c));
   return labels;
 }
 
 // Of a limb's places the largest piece stays; others are their next likeliest part's.
-void keep_whole(const Cells& cells, const Skeletal& all, Eigen::MatrixXf& likely) {
-  const std::vector<int> labels = likeliest(likely);
+void keep_whole(const Cells& cells, const Skeletal& all, Shares& likely) {
+  const std::vector<int> labels = likeliest(cells, likely);
   Flags known(labels.size(), 0);
   std::vector<std::vector<int>> largest(all.parts.size());
   std::vector<std::vector<int>> rest;
@@ -193,7 +189,7 @@ void keep_whole(const Cells& cells, const Skeletal& all, Eigen::MatrixXf& likely
     rest.push_back(std::move(piece));
   }
   for (const std::vector<int>& piece : rest)
-    for (const int c : piece) likely(c, labels[c]) = 0;
+    for (const int c : piece) likely.at(c, labels[c]) = 0;
 }
 
 // ---------------------------------------------------------------- where parts meet
@@ -270,26 +266,27 @@ Fillings fillings_of(const Skeletal& all, const Joints& joints) {
 
 // By pixel, the likeliest part among the cells about it, those of its own colour first.
 std::vector<int> pixel_labels(const SegmentedImage& image, const Cells& cells,
-                              const Eigen::MatrixXf& likely) {
+                              const Shares& likely) {
   constexpr float kAlike = 0.05f;
   std::vector<int> labels(image.tones.size(), -1);
-  Eigen::VectorXf sum(likely.cols());
+  std::vector<float> sum(std::size_t(likely.labels));
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const std::size_t pixel = std::size_t(y) * image.width + x;
       if (image.paper[pixel]) continue;
       const Vec2 p = Vec2(x + 0.5, y + 0.5) / cells.size;
-      sum.setZero();
+      std::fill(sum.begin(), sum.end(), 0.0f);
       for (int v = int(p.y()) - 1; v <= int(p.y()) + 1; ++v)
         for (int u = int(p.x()) - 1; u <= int(p.x()) + 1; ++u) {
           if (u < 0 || v < 0 || u >= cells.width || v >= cells.height) continue;
           const int c = v * cells.width + u;
           const float away = float((cells.middle(c) - p).squaredNorm());
           const float unlike = unlikeness(image.tones[pixel], cells.tones[c]) / kAlike;
-          sum += std::exp(-2 * away - std::min(4.0f, unlike * unlike)) * likely.row(c).transpose();
+          const float near = std::exp(-2 * away - std::min(4.0f, unlike * unlike));
+          for (int l = 0; l < likely.labels; ++l) sum[l] += near * likely.at(c, l);
         }
-      Eigen::Index best = 0;
-      if (sum.maxCoeff(&best) > 0) labels[pixel] = int(best);
+      const auto best = std::max_element(sum.begin(), sum.end());
+      if (best != sum.end() && *best > 0) labels[pixel] = int(best - sum.begin());
     }
   return labels;
 }
@@ -362,10 +359,9 @@ FigureParts with_figure_parts(const Document& document, int frame, const Segment
   const double cell = cells.size * image.pixels;
   const Skeletal all = bones_in(document, frame, cell);
   const Seeds seeds = seeds_of(all, cells);
-  Eigen::MatrixXf likely =
-      meetings(cells, seeds.label, pulls_of(document, frame, all, cells, cell));
+  Shares likely = meetings(cells, seeds.label, pulls_of(document, frame, all, cells, cell));
   keep_whole(cells, all, likely);
-  const std::vector<int> cell_labels = likeliest(likely);
+  const std::vector<int> cell_labels = likeliest(cells, likely);
   const Joints joints(cells, cell_labels, int(all.parts.size()));
   const Fillings fillings = fillings_of(all, joints);
   const std::vector<int> labels = pixel_labels(image, cells, likely);
