@@ -19,13 +19,13 @@ Image repeated(const Image& picture, int times) {
 }
 
 // A row of blocks, side pixels high but at the bottom, of width pixels.
-struct Rows {
+struct BlockRow {
   const std::uint8_t* rgba;
   int width, height;
 };
 
 // Down each column, of each channel.
-void add_up(const Rows& rows, std::vector<std::uint16_t>& sums) {
+void add_up(const BlockRow& rows, std::vector<std::uint16_t>& sums) {
   static_assert(kMostShrunk * kMostShrunk * 255 <= 0xFFFF);  // a whole block's, too
   const std::size_t stride = 4 * std::size_t(rows.width);
   sums.assign(stride, 0);
@@ -37,7 +37,7 @@ void add_up(const Rows& rows, std::vector<std::uint16_t>& sums) {
 }
 
 // The mean of a block's pixels, of columns [left, right): of their colours by how much they cover.
-void covered_mean(const Rows& rows, int left, int right, std::uint8_t* to) {
+void covered_mean(const BlockRow& rows, int left, int right, std::uint8_t* to) {
   std::array<unsigned, 3> sum = {};
   unsigned alpha = 0;
   for (int v = 0; v < rows.height; ++v)
@@ -53,7 +53,8 @@ void covered_mean(const Rows& rows, int left, int right, std::uint8_t* to) {
 
 // The means of all blocks; most are wholly opaque or wholly clear.
 //   sums  of their columns
-void means(const Rows& rows, int side, const std::vector<std::uint16_t>& sums, std::uint8_t* to) {
+void means(const BlockRow& rows, int side, const std::vector<std::uint16_t>& sums,
+           std::uint8_t* to) {
   for (int left = 0; left < rows.width; left += side, to += 4) {
     const int right = std::min(left + side, rows.width);
     const unsigned pixels = unsigned((right - left) * rows.height);
@@ -140,8 +141,8 @@ Image mean_of_blocks(const std::uint8_t* rgba, int width, int height, int side) 
   Image out((width + side - 1) / side, (height + side - 1) / side);
   std::vector<std::uint16_t> sums;
   for (int y = 0; y < out.height; ++y) {
-    const Rows rows{rgba + 4 * std::size_t(width) * y * side, width,
-                    std::min(side, height - y * side)};
+    const BlockRow rows{rgba + 4 * std::size_t(width) * y * side, width,
+                        std::min(side, height - y * side)};
     add_up(rows, sums);
     means(rows, side, sums, out.at(0, y));
   }
