@@ -66,7 +66,7 @@ int Shares::largest(int cell) const {
 namespace {
 
 // The walk's equations: what a cell is, its neighbours' are on the mean, by the steps' weights.
-struct Row {
+struct WalkRow {
   int cell = 0;
   double sum = 0;                  // of all weights
   int next[4] = {-1, -1, -1, -1};  // rows
@@ -81,7 +81,7 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 
 // By conjugate gradients: a sparse factorisation would take the page three times the code of all
 // this. The matrix is symmetric and positive definite, as something known borders on each piece.
-std::vector<double> solved(const std::vector<Row>& rows, std::vector<double> r) {
+std::vector<double> solved(const std::vector<WalkRow>& rows, std::vector<double> r) {
   constexpr int kMostSteps = 2000;
   constexpr double kLeft = 1e-3;  // of the right-hand side
   std::vector<double> x(rows.size(), 0), p(rows.size(), 0), z(rows.size()), Ap(rows.size());
@@ -110,7 +110,7 @@ Shares meetings(const Cells& cells, const std::vector<int>& seeds, const Shares&
   // What hangs together with a seed.
   std::vector<int> index(std::size_t(cells.count()), -1), open;
   Flags reached(std::size_t(cells.count()), 0);
-  std::vector<Row> rows;
+  std::vector<WalkRow> rows;
   for (int c = 0; c < cells.count(); ++c)
     if (seeds[c] >= 0) reached[c] = 1, open.push_back(c), likely.at(c, seeds[c]) = 1;
   while (!open.empty()) {
@@ -128,7 +128,7 @@ Shares meetings(const Cells& cells, const std::vector<int>& seeds, const Shares&
   std::vector<std::vector<double>> known(std::size_t(pulls.labels),
                                          std::vector<double>(rows.size(), 0));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    Row& row = rows[i];
+    WalkRow& row = rows[i];
     for (int l = 0; l < pulls.labels; ++l) {
       row.sum += pulls.at(row.cell, l);
       known[l][i] = pulls.at(row.cell, l);
