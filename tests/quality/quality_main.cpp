@@ -9,6 +9,7 @@
 
 #include "figures/measure.h"
 #include "quality/baselines.h"
+#include "quality/by_hand.h"
 #include "quality/colours.h"
 #include "quality/gallery.h"
 #include "quality/inconsistent.h"
@@ -26,6 +27,7 @@ constexpr const char* kUsage =
     "                          [--poses] [--no-calibrate] [--no-mirror] [--visual-hull]\n"
     "       artisketch_quality --inconsistent [--figures N] [--frames N] [--error DEGREES]\n"
     "                          [--baseline DEGREES] [--poses] [--grid N]\n"
+    "       artisketch_quality --by-hand [--figures N] [--frames N] [--grid N]\n"
     "       artisketch_quality --depth [--figures N] [--frames N] [--baseline DEGREES]\n"
     "                          [--wobble PIXELS] [--grid N]\n"
     "       artisketch_quality --colours [--frames N] [--error DEGREES] [--no-calibrate]\n"
@@ -33,10 +35,11 @@ constexpr const char* kUsage =
     "       artisketch_quality --gallery [NAME] [--grid N] [--no-calibrate]\n"
     "Every combination of the settings not named; --brief: one case per figure;\n"
     "--poses: calibration alone; --inconsistent: drawings that disagree as people's do,\n"
-    "calibrated, with the poses given, and the first drawing alone; --depth: how deep bodies\n"
-    "come out by how far apart the drawings see them; --colours: pixels that are wrongly\n"
-    "coloured in poses and from sides that nobody drew; --gallery: the examples as they are given, "
-    "one or all.\n";
+    "calibrated, with the poses given, and the first drawing alone; --by-hand: poses as a\n"
+    "hand gives them, joints where they are seen and bones turned about themselves by\n"
+    "guess; --depth: how deep bodies come out by how far apart the drawings see them;\n"
+    "--colours: pixels that are wrongly coloured in poses and from sides that nobody drew;\n"
+    "--gallery: the examples as they are given, one or all.\n";
 
 struct Options {
   bool brief = false;
@@ -45,6 +48,7 @@ struct Options {
   bool depth = false;
   bool colours = false;
   bool gallery = false;
+  bool by_hand = false;
   std::vector<std::string> names;  // of examples; empty: all
   std::vector<double> baselines;   // degrees that the drawings span; empty: several
   int figures = 6;
@@ -226,6 +230,8 @@ bool read_options(int count, char** words, Options& options) {
       options.inconsistent = true;
     } else if (word == "--gallery") {
       options.gallery = true;
+    } else if (word == "--by-hand") {
+      options.by_hand = true;
     } else if (options.gallery && word[0] != '-') {
       options.names.push_back(word);
     } else if (word == "--baseline") {
@@ -275,6 +281,14 @@ int main(int count, char** words) {
     if (options.errors.size() == 1) table.errors = options.errors;
     if (!options.baselines.empty()) table.baselines = options.baselines;
     quality::print_inconsistent(table);
+    return 0;
+  }
+  if (options.by_hand) {
+    quality::ByHandOptions table;
+    table.figures = options.figures;
+    table.pipeline = options.pipeline;
+    if (options.frames.size() == 1) table.frames = options.frames;
+    quality::print_by_hand(table);
     return 0;
   }
   if (options.depth) {
