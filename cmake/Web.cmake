@@ -23,8 +23,9 @@ endfunction()
 target_compile_options(artisketch_editor PRIVATE -Oz)
 target_compile_options(artisketch_window PRIVATE -Oz)
 target_compile_options(artisketch_imgui PRIVATE -Oz)
-set(edits edit animate bone_axis correspondence cut drawing_edit history mend outline_edit posing skeleton_edit
-  sprite_sheet strokes suggest templates)
+set(edits edit animate bone_axis correspondence covered cut drawing_edit figure_cells figure_parts history
+  joint_limits line_fit mend outline_edit place_words posing region_outline skeleton_edit split sprite_sheet strokes
+  suggest templates)
 set(clips acts body_plan clips contacts feet gaits joint_name library motion_map own_skeleton puppet retarget
   retarget_aims rig_profile t_pose upright_motion)
 set(words calibration_words drawn_size unseen_sides)
