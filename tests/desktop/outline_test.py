@@ -363,7 +363,31 @@ def takes_drawings_in():
     window.close()
 
 
+def lightness(picture, place):
+    """How light a picture is at a place, 0 to 99."""
+    x, y = map(int, place)
+    words = ["convert", picture, "-crop", f"1x1+{x}+{y}", "-format", "%[fx:round(99*mean)]", "info:"]
+    return int(subprocess.run(words, check=True, capture_output=True, text=True).stdout)
+
+
+def shows_pixels_as_squares():
+    """Near a pixel's border a picture seen large has the colour of its middle, not a blend of two."""
+    chequers = pictures / "chequers.png"
+    pictures.mkdir(parents=True, exist_ok=True)
+    subprocess.run(["convert", "-size", "16x16", "pattern:gray50", str(chequers)], check=True)
+    window = Window("1440x900", chequers)
+    window.wait(lambda: window.state()["frames"] == 1, why="the drawing")
+    time.sleep(0.5)
+    window.picture("squares")
+    picture = pictures / "squares.png"
+    inside = {lightness(picture, at(window, 3 + i / 10, 12.5)) for i in range(1, 10)}
+    beside = {lightness(picture, at(window, 4 + i / 10, 12.5)) for i in range(1, 10)}
+    assert len(inside) == 1 and len(beside) == 1, f"{inside} and {beside} are blends"
+    assert inside != beside, "no chequers"
+    window.close()
+
+
 run(moves_adds_and_redraws_points, traces_and_cuts, gives_outlines_to_parts, joins_copies_and_picks_joints,
     offers_what_can_be_done_to_an_outline_or_joint, mends_a_crossing,
     builds_a_skeleton, takes_drawings_in, outlines_and_names_on_a_tablet, settles_what_a_drawing_hides,
-    says_that_a_part_inside_others_shows_no_edge)
+    says_that_a_part_inside_others_shows_no_edge, shows_pixels_as_squares)

@@ -1,4 +1,5 @@
 // Result: posing the model, its clips and keys, its joints' spheres, its parts' fatness, export.
+#include <cstdio>
 #include <filesystem>
 #include <random>
 
@@ -34,6 +35,20 @@ TEST_F(ResultMode, ReconstructMakesTheModelAndSaysSo) {
   EXPECT_TRUE(h.says("The model is ready."));
   EXPECT_EQ(h.state().mode, "result");
   expect_nothing_happened();
+}
+
+TEST(ResultAlone, BesideADrawingItSaysHowMuchOfThatTheModelFills) {
+  Harness h;
+  h.open_example("circles");
+  h.key(ImGuiKey_R);
+  h.settle();
+  h.key(ImGuiKey_1);
+  h.frames(2);
+  int share = 0;
+  for (const std::string& label : h.labels())
+    std::sscanf(label.c_str(), "Fills %d %% of this drawing", &share);
+  EXPECT_GT(share, 90);
+  EXPECT_LE(share, 100);
 }
 
 TEST_F(ResultMode, OrbitLooksAroundAndChangesNothing) {

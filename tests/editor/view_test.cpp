@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "editor/step.h"
+#include "editor/ui/theme.h"
+#include "files/image_file.h"
 
 namespace artisketch {
 namespace {
@@ -416,6 +418,51 @@ TEST(Tablet, ASecondFingerTakesBackWhatTheFirstBegan) {
   h.touch(second);
   h.release();
   EXPECT_TRUE(text(h) == before);
+}
+
+// ---------------------------------------------------------------- drawings of their own
+
+// A figure of one grey on nothing, so far from the picture's edges.
+std::string cut_out(std::uint8_t grey, int margin) {
+  Image image(120, 160);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      std::uint8_t* c = &image.rgba[4 * std::size_t(y * image.width + x)];
+      const bool inside = x >= margin && y >= margin && x < image.width - margin &&
+                          y < image.height - margin && (x >= 20 || y >= 20);
+      c[0] = c[1] = c[2] = grey;
+      c[3] = inside ? 255 : 0;
+    }
+  return png_bytes(image);
+}
+
+// Whether anything of that colour was drawn last.
+bool painted(ImU32 colour) {
+  const ImDrawData& data = *ImGui::GetDrawData();
+  for (int list = 0; list < data.CmdListsCount; ++list)
+    for (const ImDrawVert& vertex : data.CmdLists[list]->VtxBuffer)
+      if (vertex.col == colour) return true;
+  return false;
+}
+
+TEST(LookingAlone, APaleFigureOnNothingStandsOutFromItsGround) {
+  for (const bool pale : {true, false}) {
+    Harness h;
+    h.open("ghost.png", cut_out(pale ? 250 : 90, 20));
+    ASSERT_EQ(h.state().frames, 1);
+    EXPECT_EQ(painted(theme().dark_ground), pale);
+  }
+}
+
+TEST(LookingAlone, AFigureThatFillsItsPictureHasRoomAboutIt) {
+  Vec2 corner[2];
+  for (const int margin : {0, 20}) {
+    Harness h;
+    h.open("sprite.png", cut_out(90, margin));
+    ASSERT_EQ(h.state().frames, 1);
+    corner[margin > 0] = h.on_screen(0, 0);
+  }
+  EXPECT_GT(corner[0].y(), corner[1].y() + 24);
 }
 
 }  // namespace

@@ -30,16 +30,20 @@ void command_icon(App& app, std::string_view id, const Rect& place, Look look) {
   if (icon_button(row.name, place, command_look(app, row, std::move(look)))) app.ask(row.id);
 }
 
+ImU32 ground_of(const Drawing* drawing) {
+  return drawing && drawing->pale ? theme().dark_ground : theme().paper_tint;
+}
+
 void thumbnail(const App& app, const Frame& frame, const Rect& place, bool outlines) {
   const float zoom = std::min(place.w / float(std::max(1, frame.width)),
                               place.h / float(std::max(1, frame.height)));
   const OnScreen on{{place.x + (place.w - zoom * float(frame.width)) / 2,
                      place.y + (place.h - zoom * float(frame.height)) / 2},
                     zoom};
-  draw().AddRectFilled(place.min(), place.max(), theme().paper_tint, kRadiusSmall);
+  const Drawing* drawing = app.services.drawings.of(frame);
+  draw().AddRectFilled(place.min(), place.max(), ground_of(drawing), kRadiusSmall);
   const Rect paper{on.origin.x, on.origin.y, zoom * float(frame.width), zoom * float(frame.height)};
-  if (const Drawing* drawing = app.services.drawings.of(frame))
-    show_picture(drawing->texture, paper, 1, {0, 0}, {1, 1}, theme().paper_tint);
+  if (drawing) show_picture(drawing->texture, paper, 1, {0, 0}, {1, 1}, theme().paper_tint);
   if (!outlines) return;
   OutlineLook look;
   look.width = 1.1f;

@@ -17,6 +17,8 @@ void command_icon(App& app, std::string_view command, const Rect& place, Look lo
 // How such a button looks, for one of another shape.
 Look command_look(const App& app, const Command& command, Look look = {});
 
+// What lies behind a drawing: paper, or what pale figures stand out from.
+ImU32 ground_of(const Drawing* drawing);  // null: none
 // A small picture of a drawing with its outlines.
 void thumbnail(const App& app, const Frame& frame, const Rect& place, bool outlines = true);
 

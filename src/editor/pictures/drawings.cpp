@@ -1,5 +1,7 @@
 #include "editor/pictures/drawings.h"
 
+#include <cstdlib>
+
 #include "files/bytes.h"
 #include "files/inside_images.h"
 
@@ -16,6 +18,45 @@ unsigned textured(Graphics& graphics, const Image& image) {
   return graphics.add_texture(image.width, image.height, pixels, Graphics::Beyond::stretches);
 }
 
+constexpr int kClear = 128;  // alpha below which nothing is drawn
+
+// Of the pixels beside clear ones more than a quarter are as light as paper: on white they are
+// lost.
+bool is_pale(const Image& image) {
+  constexpr int kPale = 215;  // each channel
+  const auto alpha = [&](int x, int y) {
+    return image.rgba[4 * (std::size_t(y) * image.width + x) + 3];
+  };
+  int edge = 0, pale = 0;
+  for (int y = 1; y + 1 < image.height; ++y)
+    for (int x = 1; x + 1 < image.width; ++x) {
+      if (alpha(x, y) < kClear || (alpha(x - 1, y) >= kClear && alpha(x + 1, y) >= kClear &&
+                                   alpha(x, y - 1) >= kClear && alpha(x, y + 1) >= kClear))
+        continue;
+      const std::uint8_t* c = &image.rgba[4 * (std::size_t(y) * image.width + x)];
+      ++edge;
+      pale += c[0] > kPale && c[1] > kPale && c[2] > kPale;
+    }
+  return 4 * pale > edge;
+}
+
+// Pixels along the border unlike the first corner's.
+bool is_full(const Image& image) {
+  constexpr int kUnlike = 32;  // in any channel
+  const auto unlike = [&](int x, int y) {
+    const std::uint8_t* c = &image.rgba[4 * (std::size_t(y) * image.width + x)];
+    if (c[3] < kClear || image.rgba[3] < kClear) return (c[3] < kClear) != (image.rgba[3] < kClear);
+    for (int k = 0; k < 3; ++k)
+      if (std::abs(int(c[k]) - int(image.rgba[k])) > kUnlike) return true;
+    return false;
+  };
+  for (int x = 0; x < image.width; ++x)
+    if (unlike(x, 0) || unlike(x, image.height - 1)) return true;
+  for (int y = 0; y < image.height; ++y)
+    if (unlike(0, y) || unlike(image.width - 1, y)) return true;
+  return false;
+}
+
 }  // namespace
 
 Drawings::~Drawings() {
@@ -27,7 +68,8 @@ Result<std::string> Drawings::add(std::string bytes, const std::string& name) {
   if (!image) return image.error();
   const std::string key = kKey + std::to_string(kept_.size());
   const unsigned texture = textured(graphics_, *image);
-  kept_[key] = {std::move(*image), data_uri(bytes), texture};
+  const bool pale = is_pale(*image), full = is_full(*image);
+  kept_[key] = {std::move(*image), data_uri(bytes), texture, pale, full};
   return key;
 }
 

@@ -16,6 +16,8 @@ struct Drawing {
   Image image;           // straight alpha
   std::string uri;       // as the document's file holds it
   unsigned texture = 0;  // premultiplied alpha
+  bool pale = false;     // clear about a figure whose edge is as light as paper
+  bool full = false;     // the figure goes on to the picture's edge
 };
 
 class Drawings {

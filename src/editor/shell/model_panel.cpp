@@ -189,6 +189,7 @@ void model_foot(App& app, const Rect& band) {
   write_icon({row.x + 6, row.centre().y}, IconSize::small, good ? t.muted : t.warning,
              good ? icon::kCheck : icon::kAlert);
   row.cut_left(18);
+  record(words, row);
   write(row, Font::caption, good ? t.muted : t.warning, words);
   row.cut_left(text_width(Font::caption, words) + 16);
   if (trust.empty() || text_width(Font::caption, trust) > row.w) return;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/canvas/controls.h"
 #include "editor/canvas/pointer.h"
 #include "editor/session/files.h"
 #include "editor/shell/panels.h"
@@ -84,9 +85,9 @@ void picture(App& app, Picking& picking, const Rect& place) {
   draw().AddRectFilled(place.min(), place.max(), theme().canvas, kRadius);
   const OnScreen on = fitted(picking, place.inset(8));
   const Rect paper = on_screen({0, 0, picking.width, picking.height}, on);
-  draw().AddRectFilled(paper.min(), paper.max(), theme().paper_tint);
-  if (const Drawing* drawing = app.services.drawings.at(picking.picture))
-    show_picture(drawing->texture, paper, 1, {0, 0}, {1, 1}, theme().paper_tint);
+  const Drawing* drawing = app.services.drawings.at(picking.picture);
+  draw().AddRectFilled(paper.min(), paper.max(), ground_of(drawing));
+  if (drawing) show_picture(drawing->texture, paper, 1, {0, 0}, {1, 1}, theme().paper_tint);
   std::vector<Sprite> all;
   for (const PickedBox& box : picking.boxes) all.push_back(box.sprite);
   paint_boxes(picking, on, all);

@@ -35,6 +35,14 @@ void fit(SketchPlace& sketch, const Frame& frame, const Rect& place) {
                    place.y + (place.h - sketch.zoom * float(frame.height)) / 2};
 }
 
+// Of a place for the drawing what it is to take: about a figure that fills its picture joints and
+// outlines have room, too.
+Rect with_room(const App& app, const Rect& place) {
+  constexpr float kRoom = 32;  // points
+  const Drawing* drawing = app.services.drawings.of(app.frame());
+  return drawing && drawing->full ? place.inset(kRoom) : place;
+}
+
 // What shows of the figure, in pixels of the sketch.
 struct Figure {
   std::vector<Vec2> outlines, joints;
@@ -79,7 +87,7 @@ std::vector<Rect> floating_places(const App& app, const Layout& layout) {
 // figure, a little smaller if need be.
 void fit_between(App& app, const Layout& layout) {
   View& view = app.view;
-  const Rect& place = layout.canvas;
+  const Rect place = with_room(app, layout.canvas);
   const ImVec2 size{place.w, place.h};
   if (view.sketch.fitted_frame == app.session.selection.frame &&
       view.sketch.fitted_mode == view.mode && view.sketch.fitted_size.x == size.x &&
@@ -220,9 +228,9 @@ void paint_sketch(App& app, const Rect& place, float pixel_ratio) {
   const OnScreen on = app.view.sketch.on();
   const Rect paper{view.sketch.origin.x, view.sketch.origin.y,
                    view.sketch.zoom * float(frame.width), view.sketch.zoom * float(frame.height)};
-  draw().AddRectFilled(paper.min(), paper.max(), theme().paper_tint);
   const Layers& layers = view.layer();
   const Drawing* drawing = app.services.drawings.of(frame);
+  draw().AddRectFilled(paper.min(), paper.max(), ground_of(drawing));
   const float opacity = view.mode == Mode::skeleton ? 0.3f : layers.drawing_opacity;
   if (drawing && layers.drawing)
     show_picture(drawing->texture, paper, opacity, {0, 0}, {1, 1}, theme().paper_tint);
@@ -470,7 +478,7 @@ void sketch_panel(App& app, const Layout& layout, float pixel_ratio) {
   else if (layout.inset)
     fit_between(app, layout);
   else
-    fit(app.view.sketch, app.frame(), place);
+    fit(app.view.sketch, app.frame(), with_room(app, place));
   navigate(app, place);
   draw().PushClipRect(place.min(), place.max(), true);
   paint_sketch(app, place, pixel_ratio);

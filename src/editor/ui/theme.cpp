@@ -39,6 +39,7 @@ const Theme& dark_theme() {
       .warning = rgb(0xF5B942),
       .error = rgb(0xFF7A6B),
       .paper_tint = rgb(0xDDE0E5),
+      .dark_ground = rgb(0x7C8590),
       .dark = true,
   };
   return dark;
@@ -61,6 +62,7 @@ const Theme& light_theme() {
       .warning = rgb(0x8A5A00),
       .error = rgb(0xBF2F1F),
       .paper_tint = rgb(0xFFFFFF),
+      .dark_ground = rgb(0x7C8590),
       .dark = false,
   };
   return light;

@@ -10,7 +10,8 @@ struct Theme {
   ImU32 canvas, panel, raised, control, hover, line;
   ImU32 text, muted, disabled;
   ImU32 accent, on_accent, selection, warning, error;
-  ImU32 paper_tint;  // multiplies the drawings
+  ImU32 paper_tint;   // multiplies the drawings
+  ImU32 dark_ground;  // behind pale figures, instead of paper
   bool dark;
 };
 const Theme& dark_theme();
