@@ -67,7 +67,12 @@ function across(seen, [above, at, below], reach) {
 //   names  [the template's joint, the figure's joint]
 //   order  of posing: [joint, the end of its bone where that may have to be flipped]
 //   looks  per frame, how its outlines are made other than by drawing: {parts: [upper, lower], trace, cut}
-async function fromBlankPage(t, name, template, {names, order, prepare, turn, looks, most}) {
+//   fit    of the silhouettes, at least: dragging joints to where they are seen leaves by guess how far bones
+//          turn about themselves and lean out of the picture. Calibration could turn them until the outlines
+//          meet (.98 and .96), but bodies made so are worse from all sides that nobody drew:
+//          artisketch_quality --by-hand measures it.
+//   most   pointer actions
+async function fromBlankPage(t, name, template, {names, order, prepare, turn, looks, fit, most}) {
   const {document: truth, drawings} = figure(name);
   const editor = await open(await browser(t, {width: 1440, height: 900}), site.url);
   const person = new Person(editor);
@@ -137,7 +142,7 @@ async function fromBlankPage(t, name, template, {names, order, prepare, turn, lo
   const mean = fits.reduce((a, b) => a + b) / fits.length;
   t.diagnostic(`${person.actions} pointer actions; silhouettes ${fits.map((f) => f.toFixed(3))}, mean ${mean.toFixed(3)}`);
   assert.deepEqual(editor.faults, []);
-  assert.ok(mean >= 0.97, `the silhouettes fit by ${mean}`);
+  assert.ok(mean >= fit, `the silhouettes fit by ${mean}`);
   assert.ok(person.actions <= most, `${person.actions} pointer actions`);
 }
 
@@ -167,7 +172,7 @@ test('a person, a three-frame figure: from the blank page to the model', async (
   const arm = (side) => ({
     parts: [`upper_arm.${side}`, `forearm.${side}`], cut: [`upper_arm.${side}`, `forearm.${side}`, `hand.${side}`]});
   await fromBlankPage(t, 'hero', 'Human', {
-    names, order, most: 120,
+    names, order, fit: 0.95, most: 120,
     turn: async (person, frame) => {
       if (frame > 0) await overBall(person, [0, 36, -16][frame]);
     },
@@ -192,7 +197,7 @@ test('a person, a fox: from the blank page to the model', async (t) => {
   const leg = (end) => ({
     parts: [`${end}_shin.L`, `${end}_paw.L`], cut: [`${end}_shin.L`, `${end}_paw.L`, `${end}_paw.tip.L`]});
   await fromBlankPage(t, 'fox', 'Quadruped', {
-    names, order, most: 120,
+    names, order, fit: 0.91, most: 120,
     // The fox's head sits on its chest.
     prepare: async (person) => {
       const {x, y, width, height} = await person.editor.widget('Joint Neck');
