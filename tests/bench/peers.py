@@ -104,6 +104,30 @@ def union(bench):
     line(bench, "union of hero's 15 parts", ours, 'CGAL', float(done.stdout.split()[1]), 2)
 
 
+# How many times ours others should take, at least.
+WANTED = {'isosurface of a ball': 1, "40 steps of the hero's chest": 10}
+LIBRARIES = {'OpenVDB': 'libopenvdb-dev', 'ITK': 'libinsighttoolkit5-dev', 'CHOLMOD': 'libsuitesparse-dev'}
+
+
+def libraries(bench):
+    """What peer_bench.cpp and solver_bench.cpp were built with."""
+    program = pathlib.Path(bench.program).parent / 'tests' / 'bench' / 'artisketch_bench'
+    if not program.exists():
+        return told(bench, f'{", ".join(LIBRARIES)}: left out, there is no {program.name} (./dev bench stages)')
+    done = subprocess.run([program, '--benchmark_filter=^peers/', '--benchmark_format=json'],
+                          capture_output=True, text=True, check=True)
+    missing = dict(LIBRARIES)
+    for one in json.loads(done.stdout)['benchmarks']:
+        if 'theirs' not in one:
+            continue
+        _, work, name, *size = one['name'].split('/')
+        missing.pop(name, None)
+        line(bench, work + ''.join(f', {n}³' for n in size), one['ours'] / 1000, name,
+             one['theirs'] / 1000, WANTED.get(work, 1))
+    for name, package in missing.items():
+        told(bench, f'{name}: left out, it is not installed ({package})')
+
+
 def compare(bench):
     if shutil.which('blender'):
         blender(bench)
@@ -117,3 +141,4 @@ def compare(bench):
         union(bench)
     else:
         told(bench, 'union: left out, there is no CGAL (libcgal-dev)')
+    libraries(bench)
