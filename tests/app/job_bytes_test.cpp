@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "files/document_file.h"
 #include "model/part_inputs.h"
 
 namespace artisketch {
@@ -242,7 +243,7 @@ TEST(JobBytes, ChoicesThatThereAreNotAreRefused) {
     std::memcpy(wrong.data() + difference(bytes, job_bytes(other)), &choice, sizeof choice);
     EXPECT_FALSE(read_job_request(wrong)) << choice;
   }
-  for (const int grid : {15, 401, -5}) {
+  for (const int grid : {kFewestCells - 1, kMostCells + 1, -5}) {
     JobRequest request = plain;
     request.options.grid = grid;
     EXPECT_FALSE(read_job_request(job_bytes(request))) << grid;
