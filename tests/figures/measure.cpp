@@ -108,6 +108,16 @@ Mask silhouette(const Model& model, const Pose& pose, const FrameCamera& camera,
   return mask;
 }
 
+double unseen_silhouettes(const Figure& figure, const Model& model, const FrameCamera& camera,
+                          int width, int height, std::uint64_t seed) {
+  constexpr int kPoses = 6;
+  double sum = 0;
+  for (const View& v : random_views(figure, kPoses, seed + 5000))
+    sum += intersection_over_union(silhouette(figure, v.pose, camera, width, height),
+                                   silhouette(model, v.pose, camera, width, height));
+  return sum / kPoses;
+}
+
 PoseErrors pose_errors(const Figure& figure, const FrameCamera& camera, const Pose& truth,
                        const Pose& other) {
   const std::vector<Transform> a = posed_joints(figure.skeleton, truth),
@@ -141,6 +151,15 @@ PoseErrors pose_errors(const Figure& figure, const FrameCamera& camera, const Po
        {&errors.joint_px, &errors.angle, &errors.in_plane, &errors.out_of_plane, &errors.twist})
     *mean /= std::max(count, 1);
   return errors;
+}
+
+void add(PoseErrors& sum, const PoseErrors& one, double share) {
+  sum.joint_px += share * one.joint_px;
+  sum.worst_joint_px = std::max(sum.worst_joint_px, one.worst_joint_px);
+  sum.angle += share * one.angle;
+  sum.in_plane += share * one.in_plane;
+  sum.out_of_plane += share * one.out_of_plane;
+  sum.twist += share * one.twist;
 }
 
 }  // namespace artisketch::figures

@@ -19,6 +19,11 @@ Mask silhouette(const Figure& figure, const Pose& pose, const FrameCamera& camer
 Mask silhouette(const Model& model, const Pose& pose, const FrameCamera& camera, int width,
                 int height);
 
+// The mean intersection over union of the figure's silhouettes and the model's in six poses, and
+// from sides, that no seed's drawings have.
+double unseen_silhouettes(const Figure& figure, const Model& model, const FrameCamera& camera,
+                          int width, int height, std::uint64_t seed);
+
 // How far a pose is from the true one, over the joints that carry parts.
 struct PoseErrors {
   double joint_px = 0, worst_joint_px = 0;  // of projected joints
@@ -28,5 +33,8 @@ struct PoseErrors {
 };
 PoseErrors pose_errors(const Figure& figure, const FrameCamera& camera, const Pose& truth,
                        const Pose& other);
+
+// Adds a share of one to the sum; of the worst joints the worst counts.
+void add(PoseErrors& sum, const PoseErrors& one, double share);
 
 }  // namespace artisketch::figures

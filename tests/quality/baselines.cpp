@@ -13,7 +13,6 @@ namespace {
 using namespace figures;
 
 constexpr int kWidth = 512, kHeight = 512;  // pixels
-constexpr int kNovelPoses = 6;
 
 Sketches drawn(const Figure& figure, int frames, double baseline, const BaselineOptions& options,
                int seed) {
@@ -58,11 +57,8 @@ BaselineCell baseline_cell(int frames, double baseline, const BaselineOptions& o
     const auto made = reconstruct(sketches.given, options.pipeline, run);
     if (!made) continue;  // counts as nothing
     const FrameCamera still{sketches.truth.camera, Vec2(kWidth, kHeight) / 2, 1};
-    for (const View& v : random_views(figure, kNovelPoses, std::uint64_t(seed) + 5000))
-      cell.novel +=
-          intersection_over_union(silhouette(figure, v.pose, still, kWidth, kHeight),
-                                  silhouette(made->model, v.pose, still, kWidth, kHeight)) /
-          kNovelPoses / options.figures;
+    cell.novel +=
+        unseen_silhouettes(figure, made->model, still, kWidth, kHeight, seed) / options.figures;
     cell.volume += volume_iou(figure, made->model.mesh) / options.figures;
     double logs = 0;
     const std::vector<double> ratios = depths(figure, sketches.truth.frames[0].pose, made->parts);

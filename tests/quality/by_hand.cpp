@@ -10,20 +10,14 @@ using namespace figures;
 
 namespace {
 
-void add_errors(const PoseErrors& one, double share, PoseErrors& sum) {
-  sum.joint_px += share * one.joint_px;
-  sum.in_plane += share * one.in_plane;
-  sum.out_of_plane += share * one.out_of_plane;
-  sum.twist += share * one.twist;
-}
-
 // Adds a share of how far poses are off, of frames after the first.
 void add_errors(const Figure& figure, const Document& truth, const Document& posed, double share,
                 PoseErrors& sum) {
   for (std::size_t f = 1; f < truth.frames.size(); ++f)
-    add_errors(pose_errors(figure, frame_camera(truth, int(f)), truth.frames[f].pose,
-                           posed.frames[f].pose),
-               share / double(truth.frames.size() - 1), sum);
+    add(sum,
+        pose_errors(figure, frame_camera(truth, int(f)), truth.frames[f].pose,
+                    posed.frames[f].pose),
+        share / double(truth.frames.size() - 1));
 }
 
 }  // namespace
@@ -31,7 +25,6 @@ void add_errors(const Figure& figure, const Document& truth, const Document& pos
 ByHandCell by_hand_cell(int frames, const Hand& hand, double part_size, int figures,
                         const PipelineOptions& pipeline) {
   constexpr int kSide = 512;  // pixels
-  constexpr int kPosesUnseen = 6;
   ByHandCell cell;
   Run run;
   for (int seed = 0; seed < figures; ++seed) {
@@ -49,11 +42,8 @@ ByHandCell by_hand_cell(int frames, const Hand& hand, double part_size, int figu
       const auto made = reconstruct(given, options, run);
       if (!made) continue;  // counts as nothing
       if (way == 0) add_errors(figure, sketches.truth, made->calibrated, 1.0 / figures, cell.after);
-      for (const View& v : random_views(figure, kPosesUnseen, seed + 5000))
-        cell.novel[way] +=
-            intersection_over_union(silhouette(figure, v.pose, still, kSide, kSide),
-                                    silhouette(made->model, v.pose, still, kSide, kSide)) /
-            kPosesUnseen / figures;
+      cell.novel[way] +=
+          unseen_silhouettes(figure, made->model, still, kSide, kSide, seed) / figures;
       cell.volume[way] += volume_iou(figure, made->model.mesh) / figures;
     }
   }
@@ -83,8 +73,8 @@ void print_by_hand(const ByHandOptions& options) {
         char name[80];
         std::snprintf(name, sizeof name, "%df %5g %6g %5g", frames, twist, bones, part_size);
         print(name, c, 1);
-        add_errors(c.before, 1, sum.before);
-        add_errors(c.after, 1, sum.after);
+        add(sum.before, c.before, 1);
+        add(sum.after, c.after, 1);
         for (int way = 0; way < 2; ++way) {
           sum.novel[way] += c.novel[way];
           sum.volume[way] += c.volume[way];

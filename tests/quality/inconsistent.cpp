@@ -10,8 +10,7 @@ namespace {
 
 using namespace figures;
 
-constexpr int kWidth = 512, kHeight = 512;  // pixels
-constexpr int kNovelPoses = 6;
+constexpr int kWidth = 512, kHeight = 512;                           // pixels
 constexpr double kPartSize = 0.1, kDrawingSize = 0.04, kWobble = 1;  // shares; pixels
 
 Sketches drawn(const Figure& figure, int frames, double baseline, double error, int seed) {
@@ -31,18 +30,10 @@ Sketches drawn(const Figure& figure, int frames, double baseline, double error, 
 // Means over the frames after the first, whose pose is given.
 PoseErrors off(const Figure& figure, const Document& truth, const std::vector<Pose>& poses) {
   PoseErrors mean;
-  for (std::size_t f = 1; f < poses.size(); ++f) {
-    const PoseErrors one =
-        pose_errors(figure, frame_camera(truth, int(f)), truth.frames[f].pose, poses[f]);
-    mean.joint_px += one.joint_px / double(poses.size() - 1);
-    mean.angle += one.angle / double(poses.size() - 1);
-  }
+  for (std::size_t f = 1; f < poses.size(); ++f)
+    add(mean, pose_errors(figure, frame_camera(truth, int(f)), truth.frames[f].pose, poses[f]),
+        1 / double(poses.size() - 1));
   return mean;
-}
-
-void add(PoseErrors& sum, const PoseErrors& one, double share) {
-  sum.joint_px += share * one.joint_px;
-  sum.angle += share * one.angle;
 }
 
 std::vector<Pose> poses_of(const Document& document) {
@@ -76,11 +67,8 @@ InconsistentCell inconsistent_cell(int frames, double baseline, double error, in
       if (!made) continue;  // counts as nothing
       if (way == 0)
         add(cell.after, off(figure, sketches.truth, poses_of(made->calibrated)), 1.0 / figures);
-      for (const View& v : random_views(figure, kNovelPoses, seed + 5000))
-        cell.novel[way] +=
-            intersection_over_union(silhouette(figure, v.pose, still, kWidth, kHeight),
-                                    silhouette(made->model, v.pose, still, kWidth, kHeight)) /
-            kNovelPoses / figures;
+      cell.novel[way] +=
+          unseen_silhouettes(figure, made->model, still, kWidth, kHeight, seed) / figures;
       cell.volume[way] += volume_iou(figure, made->model.mesh) / figures;
     }
   }

@@ -20,7 +20,6 @@ using namespace artisketch::figures;
 namespace {
 
 constexpr int kWidth = 512, kHeight = 512;  // pixels
-constexpr int kNovelPoses = 6;
 constexpr const char* kUsage =
     "usage: artisketch_quality [--brief] [--figures N] [--frames N] [--error DEGREES]\n"
     "                          [--wobble PIXELS] [--method paper|rays] [--grid N]\n"
@@ -91,15 +90,6 @@ double mean(const std::vector<Row>& rows, const Get& get) {
   return rows.empty() ? 0 : sum / double(rows.size());
 }
 
-void add(PoseErrors& sum, const PoseErrors& one, double weight) {
-  sum.joint_px += weight * one.joint_px;
-  sum.worst_joint_px = std::max(sum.worst_joint_px, one.worst_joint_px);
-  sum.angle += weight * one.angle;
-  sum.in_plane += weight * one.in_plane;
-  sum.out_of_plane += weight * one.out_of_plane;
-  sum.twist += weight * one.twist;
-}
-
 // What calibration made of the poses.
 void measure_poses(const Figure& figure, const Sketches& sketches, const Document& calibrated,
                    const std::vector<PartCoverage>& coverage, Row& row) {
@@ -131,10 +121,7 @@ void measure_shape(const Case& c, const Figure& figure, const Sketches& sketches
         c.frames;
   }
   const FrameCamera still{sketches.truth.camera, Vec2(kWidth, kHeight) / 2, 1};
-  for (const View& v : random_views(figure, kNovelPoses, c.seed + 5000))
-    row.novel += intersection_over_union(silhouette(figure, v.pose, still, kWidth, kHeight),
-                                         silhouette(made.model, v.pose, still, kWidth, kHeight)) /
-                 kNovelPoses;
+  row.novel = unseen_silhouettes(figure, made.model, still, kWidth, kHeight, c.seed);
   row.volume = volume_iou(figure, made.model.mesh);
 }
 
