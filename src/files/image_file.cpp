@@ -318,10 +318,6 @@ std::optional<std::string> plain_jpeg(std::string_view bytes) {
   return plain + "\xff\xd9";
 }
 
-}  // namespace
-
-namespace {
-
 // What a file holds, as it is stored.
 struct Decoded {
   StbBytes rgba;

@@ -365,7 +365,6 @@ void crossing_chips(App& app, const Rect& place) {
   if (wanted >= -1) mend(app, wanted);
 }
 
-// What the tool in hand does with the pointer, and shows.
 // A joint is meant by a press on it; with a tool whose line may begin there, by a click.
 bool takes_offer(const App& app, const Pointer& p) {
   constexpr float kStays = 4;  // points that a click moves
@@ -373,6 +372,7 @@ bool takes_offer(const App& app, const Pointer& p) {
   return app.tool().draws_lines() ? p.released && farthest < kStays * kStays : p.pressed;
 }
 
+// What the tool in hand does with the pointer, and shows.
 //   clear  where no other tools float over the place
 void use_tool(App& app, const Rect& place, const Rect& clear) {
   const Stage stage{place, app.view.sketch.on()};
