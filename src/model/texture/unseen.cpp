@@ -8,9 +8,9 @@
 namespace artisketch {
 namespace {
 
-constexpr double kAlong = 8;              // a step along the bone counts as so many round it
-constexpr double kNear = 0.05;            // of the figure's size: within it, all votes count alike
-constexpr std::size_t kMostVoters = 400;  // of a part
+constexpr double kAlong = 8;               // a step along the bone counts as so many round it
+constexpr double kNear = 0.1;              // of the figure's size: within it, all votes count alike
+constexpr std::size_t kMostVoters = 4000;  // of a part: few of many would vote in bars
 // Between these qualities what is seen is believed more and more: below, it is at a slant, or taken
 // from farther inside an outline, and may be a smear.
 constexpr float kSeenBadly = 0.15f, kSeenWell = 0.5f;
@@ -106,16 +106,22 @@ Palette palette_of(const std::vector<std::pair<Rgb, double>>& samples) {
   return palette;
 }
 
-// Unit directions of the joints' bones in the rest pose.
+// Unit directions of the joints' bones in the rest pose; upwards where they lead to all sides.
 std::vector<Vec3> bone_directions(const Skeleton& skeleton) {
+  constexpr double kOneWay = 0.5;  // of the bones' lengths, what is left of them in one direction
   const std::vector<Vec3> rest = rest_positions(skeleton);
   std::vector<Vec3> directions;
   for (int j = 0; j < skeleton.size(); ++j) {
     Vec3 way = Vec3::Zero();
-    for (const int child : skeleton.children(j)) way += rest[child] - rest[j];
-    if (const int parent = skeleton.joints[j].parent; way.norm() < 1e-9 && parent >= 0)
+    double length = 0;
+    for (const int child : skeleton.children(j)) {
+      way += rest[child] - rest[j];
+      length += (rest[child] - rest[j]).norm();
+    }
+    if (const int parent = skeleton.joints[j].parent; length < 1e-9 && parent >= 0)
       way = rest[j] - rest[parent];
-    directions.push_back(way.norm() > 1e-9 ? Vec3(way.normalized()) : Vec3(Vec3::UnitY()));
+    const bool one_way = way.norm() > std::max(kOneWay * length, 1e-9);
+    directions.push_back(one_way ? Vec3(way.normalized()) : Vec3(Vec3::UnitY()));
   }
   return directions;
 }
