@@ -290,6 +290,14 @@ TEST_F(Files, AddDrawingsPutsThemAtTheEnd) {
   expect_step("Add back");
 }
 
+TEST_F(Files, AmongSeveralThatComeTheFirstIsShown) {
+  h.platform.to_open.push_back(
+      std::vector<NamedBytes>{{"left.png", drawn(), ""}, {"back.png", drawn(), ""}});
+  h.click("Add drawing");
+  EXPECT_EQ(h.state().frames, 5);
+  EXPECT_EQ(h.state().frame, 3);
+}
+
 TEST_F(Files, WithoutDialogsADrawingsPathIsTyped) {
   h.platform.dialogs = false;
   h.platform.files["/a/back.png"] = drawn();

@@ -442,7 +442,6 @@ TEST(OutlineAlone, FromABlankPageToAnExportWithoutDrawing) {
   ASSERT_EQ(h.state().frames, 2);
   h.key(ImGuiKey_2);
   h.click("Template Human");
-  h.key(ImGuiKey_Comma);
   for (const int frame : {0, 1}) {
     h.key(ImGuiKey_1);
     h.key(ImGuiKey_T, ImGuiMod_Shift);

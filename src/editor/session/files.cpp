@@ -1,6 +1,8 @@
 // Documents and models in and out.
 #include "editor/session/files.h"
 
+#include <optional>
+
 #include <imgui.h>
 
 #include "document/edit.h"
@@ -54,17 +56,21 @@ void open_document(App& app, const NamedBytes& file) {
 
 void open_files(App& app, Result<std::vector<NamedBytes>> files) {
   if (!files) return complain(app, files.error());
+  std::optional<int> first;  // of the drawings that came, by where it stands
   for (const NamedBytes& file : *files) {
     if (ends_with(file.name, ".artisketch") || file.bytes.starts_with("{")) {
       unless_unsaved(app, [&app, file] { open_document(app, file); });
       continue;
     }
     if (app.view.welcome) new_document(app);
-    if (is_motion(file.bytes))
+    if (is_motion(file.bytes)) {
       add_motion(app, file);
-    else
-      add_drawing(app, file);
+      continue;
+    }
+    if (!first) first = int(app.document().frames.size());
+    add_drawing(app, file);
   }
+  if (first && *first < int(app.document().frames.size())) app.session.show_frame(*first);
 }
 
 void open_example(App& app, const std::string& name, bool greet) {
