@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "document/edit.h"
+#include "document/outline_edit.h"
 
 namespace artisketch {
 
@@ -62,8 +63,19 @@ std::vector<Candidate> joint_candidates(const Document& document, int frame, con
     if (best >= 0 && std::isfinite(best)) scored.push_back({j, best});
   }
   const auto taken = [&](int joint) { return !contours_of(document.frames[frame], joint).empty(); };
-  // One that has its outline here already is less likely.
-  const auto worth = [&](const Scored& s) { return s.distance * (taken(s.joint) ? 3 : 1); };
+  const auto drawn_anew = [&](int joint) {
+    constexpr double kOver = 0.3;  // of both outlines together
+    const std::vector<Contour>& all = document.frames[frame].contours;
+    return std::any_of(all.begin(), all.end(), [&](const Contour& contour) {
+      return contour.joint == joint && contour.line.closed && line.closed &&
+             common_share(contour.line, line) > kOver;
+    });
+  };
+  // One that has its outline here already is less likely, unless that is what is drawn over.
+  std::vector<double> worths(std::size_t(skeleton.size()), 0);
+  for (const Scored& s : scored)
+    worths[s.joint] = s.distance * (taken(s.joint) && !drawn_anew(s.joint) ? 3 : 1);
+  const auto worth = [&](const Scored& s) { return worths[s.joint]; };
   std::stable_sort(scored.begin(), scored.end(),
                    [&](const Scored& a, const Scored& b) { return worth(a) < worth(b); });
   std::vector<Candidate> result;

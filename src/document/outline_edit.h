@@ -23,6 +23,16 @@ Document with_contours_mapped(Document document, int frame, const ContourSet& co
                               const PictureMap& map);
 Document without_contours(Document document, int frame, const ContourSet& contours);
 
+// Of a frame's closed contours of one joint, those that a new one of it is drawn in the place of:
+// half of the smaller of the two, or more, is the other's as well. What lies within a contour,
+// clear of its line, makes a hole in it instead. Holes go with their contour.
+ContourSet contours_redrawn(const Frame& frame, int joint, const Polyline& line);
+// The contour in the place of those; in front of all others where there are none.
+Document with_contour_over(Document document, int frame, Contour contour);
+
+// What two closed lines have in common, as a share of what both enclose together; 0 … 1.
+double common_share(const Polyline& a, const Polyline& b);
+
 // To the fewest points that stay within `error` pixels of the line. What would cross itself then,
 // or enclose a tenth less, stays as it is.
 Document with_contours_simplified(Document document, int frame, const ContourSet& contours,

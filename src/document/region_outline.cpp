@@ -12,7 +12,7 @@ namespace artisketch {
 namespace {
 
 using Tone = SegmentedImage::Tone;
-using Mask = std::vector<std::uint8_t>;
+using Bits = std::vector<std::uint8_t>;
 
 // ---------------------------------------------------------------- how pixels look
 
@@ -71,24 +71,24 @@ void neighbours(int i, int w, int h, bool eight, const F& f) {
         f(i + dy * w + dx);
 }
 
-Mask grown(const Mask& mask, int w, int h) {
-  Mask result = mask;
+Bits grown(const Bits& mask, int w, int h) {
+  Bits result = mask;
   for (int i = 0; i < w * h; ++i)
     if (mask[i]) neighbours(i, w, h, true, [&](int n) { result[n] = 1; });
   return result;
 }
 
 // The pixels whose neighbours all belong; what lies beyond the image belongs.
-Mask shrunk(const Mask& mask, int w, int h) {
-  Mask result = mask;
+Bits shrunk(const Bits& mask, int w, int h) {
+  Bits result = mask;
   for (int i = 0; i < w * h; ++i)
     if (!mask[i]) neighbours(i, w, h, true, [&](int n) { result[n] = 0; });
   return result;
 }
 
 // The pixels of `mask` that hang together with the seeds, which need not belong themselves.
-Mask connected(const Mask& mask, std::vector<int> seeds, int w, int h, bool eight = false) {
-  Mask result(mask.size(), 0);
+Bits connected(const Bits& mask, std::vector<int> seeds, int w, int h, bool eight = false) {
+  Bits result(mask.size(), 0);
   std::vector<int>& open = seeds;
   open.erase(std::remove_if(open.begin(), open.end(), [&](int i) { return !mask[i]; }), open.end());
   for (int i : open) result[i] = 1;
@@ -143,9 +143,9 @@ std::vector<float> extreme(std::vector<float> values, int w, int h, int radius, 
 
 // ---------------------------------------------------------------- paper and ink
 
-Mask paper_of(const SegmentedImage& image) {
+Bits paper_of(const SegmentedImage& image) {
   const int w = image.width, h = image.height, n = w * h;
-  Mask paper(std::size_t(n), 0);
+  Bits paper(std::size_t(n), 0);
   constexpr double kSheer = 0.01;  // an image this much of which is transparent is a cut-out
   int clear = 0;
   for (int i = 0; i < n; ++i) clear += paper[i] = image.tones[i].alpha < kTransparency / 2;
@@ -163,26 +163,26 @@ Mask paper_of(const SegmentedImage& image) {
   constexpr float kAlike = 0.06f;  // scans are uneven
   int alike = 0;
   for (int i : rim) alike += unlikeness(image.tones[i], usual) < kAlike;
-  Mask like(std::size_t(n), 0);
+  Bits like(std::size_t(n), 0);
   if (alike * 5 < int(rim.size()) * 3) return like;
   for (int i = 0; i < n; ++i) like[i] = unlikeness(image.tones[i], usual) < kAlike;
   // A gap of two pixels in an ink line lets nothing through.
-  const Mask open = connected(shrunk(like, w, h), rim, w, h);
-  const Mask near = grown(open, w, h);
+  const Bits open = connected(shrunk(like, w, h), rim, w, h);
+  const Bits near = grown(open, w, h);
   for (int i = 0; i < n; ++i) paper[i] = near[i] && like[i];
   return paper;
 }
 
 // Lines at most two reaches wide that are darker than both sides: what a morphological closing of
 // the lightness fills.
-Mask ink_of(const SegmentedImage& image) {
+Bits ink_of(const SegmentedImage& image) {
   const int w = image.width, h = image.height;
   std::vector<float> light(image.tones.size());
   for (std::size_t i = 0; i < light.size(); ++i) light[i] = lightness(image.tones[i]);
   const int reach = std::clamp(int(std::lround(0.008 * std::min(w, h))), 2, 8);
   const std::vector<float> closed = extreme(extreme(light, w, h, reach, true), w, h, reach, false);
   constexpr float kDarker = 0.12f;
-  Mask ink(light.size(), 0);
+  Bits ink(light.size(), 0);
   for (std::size_t i = 0; i < light.size(); ++i) ink[i] = closed[i] - light[i] > kDarker;
   return ink;
 }
@@ -274,11 +274,11 @@ namespace {
 // A piece of the image about the region, with masks of its own.
 struct Window {
   int x = 0, y = 0, w = 0, h = 0;
-  Mask region, paper, ink;
+  Bits region, paper, ink;
   std::vector<Tone> tones;
 };
 
-Window window_about(const SegmentedImage& image, const Mask& region) {
+Window window_about(const SegmentedImage& image, const Bits& region) {
   const int w = image.width;
   int low_x = w, low_y = image.height, high_x = -1, high_y = -1;
   for (int i = 0; i < int(region.size()); ++i)
@@ -304,12 +304,12 @@ Window window_about(const SegmentedImage& image, const Mask& region) {
 
 // What leaked through a gap of a pixel or two is let go.
 void cut_leaks(Window& v, int seed) {
-  const Mask core = shrunk(v.region, v.w, v.h);
+  const Bits core = shrunk(v.region, v.w, v.h);
   std::vector<int> seeds = {seed};
   neighbours(seed, v.w, v.h, true, [&](int n) { seeds.push_back(n); });
-  const Mask own = connected(core, seeds, v.w, v.h);
+  const Bits own = connected(core, seeds, v.w, v.h);
   if (std::find(own.begin(), own.end(), 1) == own.end()) return;  // a thin line, as a whole
-  const Mask near = grown(grown(own, v.w, v.h), v.w, v.h);
+  const Bits near = grown(grown(own, v.w, v.h), v.w, v.h);
   for (std::size_t i = 0; i < near.size(); ++i) v.region[i] = v.region[i] && near[i];
 }
 
@@ -317,12 +317,12 @@ void cut_leaks(Window& v, int seed) {
 void fill_holes(Window& v) {
   constexpr double kLarge = 0.1;  // of the region
   const int n = v.w * v.h;
-  Mask rest(v.region.size());
+  Bits rest(v.region.size());
   int area = 0;
   for (int i = 0; i < n; ++i) area += v.region[i], rest[i] = !v.region[i];
   // The region is connected by edges, so what surrounds it is by corners as well.
-  Mask known = v.region;
-  const auto learn = [&](const Mask& piece) {
+  Bits known = v.region;
+  const auto learn = [&](const Bits& piece) {
     for (int i = 0; i < n; ++i) known[i] = known[i] || piece[i];
   };
   // Beyond the window lies the outside.
@@ -350,7 +350,7 @@ void fill_holes(Window& v) {
 }
 
 // Steps from the nearest pixel of the mask, diagonal ones as long as they are.
-std::vector<float> steps_from(const Mask& mask, int w, int h) {
+std::vector<float> steps_from(const Bits& mask, int w, int h) {
   constexpr float kFar = 1e6f, kDiagonal = 1.41421356f;
   std::vector<float> steps(mask.size());
   for (std::size_t i = 0; i < mask.size(); ++i) steps[i] = mask[i] ? 0 : kFar;
@@ -367,7 +367,7 @@ std::vector<float> steps_from(const Mask& mask, int w, int h) {
 
 // How much of a boundary pixel is the region's: where its tone lies between those of the two
 // sides close by.
-float covered(const Window& v, const Mask& core, const Mask& far, int i) {
+float covered(const Window& v, const Bits& core, const Bits& far, int i) {
   Tone in, out;
   int ins = 0, outs = 0;
   const auto add = [](Tone& sum, const Tone& t) {
@@ -422,15 +422,15 @@ bool paper_about(const Window& v, int i) {
 std::vector<float> field_of(const Window& v, bool drawn) {
   const int n = v.w * v.h;
   // The edges of ink are mixed with what it borders on: they are ink as well.
-  const Mask ink = grown(v.ink, v.w, v.h);
-  Mask inside(v.region.size()), outside(v.region.size()), rest(v.region.size());
+  const Bits ink = grown(v.ink, v.w, v.h);
+  Bits inside(v.region.size()), outside(v.region.size()), rest(v.region.size());
   for (int i = 0; i < n; ++i) {
     inside[i] = v.region[i] && !ink[i];
     outside[i] = !v.region[i] && !ink[i];
     rest[i] = !v.region[i];
   }
   const std::vector<float> in = steps_from(inside, v.w, v.h), out = steps_from(outside, v.w, v.h);
-  const Mask core = shrunk(v.region, v.w, v.h), far = shrunk(rest, v.w, v.h);
+  const Bits core = shrunk(v.region, v.w, v.h), far = shrunk(rest, v.w, v.h);
   constexpr float kReach = 18;  // an ink line between the two sides is no wider
   std::vector<float> field(v.region.size());
   for (int i = 0; i < n; ++i) {
@@ -489,7 +489,7 @@ std::optional<RegionOutline> region_outline(const SegmentedImage& image, const F
   if (image.tones.empty() || image.paper[levels.seed]) return std::nullopt;
   const bool all = tolerance >= 1;
   const float most = all ? kMostUnlike : float(std::max(0.0, tolerance));
-  Mask region;
+  Bits region;
   for (const float level : levels.level) region.push_back(level <= most);
   Window window = window_about(image, region);
   const int w = image.width;

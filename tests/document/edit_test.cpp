@@ -345,6 +345,42 @@ TEST(Candidates, TheNearestBoneComesFirstItsMirrorImageToo) {
   EXPECT_TRUE(mirrored);
 }
 
+TEST(Candidates, APartThatIsDrawnOverIsTheLikelyOneThoughItHasAnOutline) {
+  Document document = figure();
+  const Vec2 at = frame_camera(document, 0).project({0.45, 1, 0});
+  document = with_contour(document, 0, {1, circle(at, 20), ""});
+  EXPECT_EQ(joint_candidates(document, 0, circle(at + Vec2(4, 0), 20))[0].joint, 1);
+  EXPECT_NE(joint_candidates(document, 0, circle(at + Vec2(36, 0), 20))[0].joint, 1);
+}
+
+TEST(Contours, OneDrawnOverAnotherTakesItsPlaceAndItsHolesGoWithIt) {
+  const auto add = [](Document document, int joint, Vec2 at, double radius) {
+    return with_contour(std::move(document), 0, {joint, circle(at, radius), ""});
+  };
+  Document document = add(figure(), 1, {200, 200}, 40);
+  document = add(document, 1, {200, 200}, 8);  // a hole
+  document = add(document, 2, {210, 200}, 40);
+  document = add(document, 1, {320, 200}, 20);  // beside
+  const Polyline over = circle({210, 205}, 35);
+  EXPECT_EQ(contours_redrawn(document.frames[0], 1, over), (ContourSet{0, 1}));
+  const Document next = with_contour_over(document, 0, {1, over, ""});
+  ASSERT_EQ(next.frames[0].contours.size(), 3u);
+  EXPECT_EQ(next.frames[0].contours[0].line.points, over.points);
+  EXPECT_EQ(next.frames[0].contours[1].joint, 2);
+  EXPECT_EQ(next.frames[0].contours[2].joint, 1);
+}
+
+TEST(Contours, APieceBesideAndAHoleAreNoneThatTakeAnothersPlace) {
+  const Document document = with_contour(figure(), 0, {1, circle({200, 200}, 40), ""});
+  const auto redrawn = [&](Vec2 at, double radius) {
+    return contours_redrawn(document.frames[0], 1, circle(at, radius)).size();
+  };
+  EXPECT_EQ(redrawn({270, 200}, 40), 0u) << "a piece that overlaps a little";
+  EXPECT_EQ(redrawn({200, 200}, 15), 0u) << "a hole";
+  EXPECT_EQ(redrawn({175, 200}, 15), 1u) << "smaller, along the old line";
+  EXPECT_EQ(redrawn({200, 200}, 90), 1u) << "larger";
+}
+
 TEST(Contours, TheMirrorImageLiesOnTheOtherSide) {
   Document document = figure();
   const FrameCamera camera = frame_camera(document, 0);

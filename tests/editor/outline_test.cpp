@@ -18,6 +18,22 @@ class Outline : public WithDocument {
     h.click(on_screen(h, lowest(outline(h, name))));
     h.wait(0.5);
   }
+  // Nothing is outlined in this drawing.
+  void begin_empty() {
+    h.key(ImGuiKey_A, ImGuiMod_Ctrl);
+    h.key(ImGuiKey_Delete);
+    begin();
+  }
+  // Round the middle of a part's outline, as large as that times `size`, with the pen.
+  void draw_over(const std::string& name, double size) {
+    h.key(ImGuiKey_D);
+    const Polyline line = outline(h, name);
+    std::vector<Vec2> way;
+    for (const Vec2& p : line.points)
+      way.push_back(on_screen(h, centre(line) + size * (p - centre(line))));
+    way.push_back(way.front());
+    h.draw(way);
+  }
 };
 
 // ---------------------------------------------------------------- Edit
@@ -44,6 +60,7 @@ TEST_F(Outline, EditDragsAPoint) {
 }
 
 TEST_F(Outline, EditTakesThePointsBesideAlongTheLessTheFartherTheyAre) {
+  begin_empty();
   h.key(ImGuiKey_T);
   h.click(h.on_screen(285, 600));  // a traced outline has points close together
   h.key(ImGuiKey_Enter);
@@ -145,6 +162,30 @@ TEST_F(Outline, DrawProposesAPartAndEnterKeepsIt) {
   EXPECT_NEAR(centre(drawn.line).y(), 330, 4);
   EXPECT_TRUE(h.state().undo.starts_with("Draw "));
   expect_step(h.state().undo);
+}
+
+TEST_F(Outline, WhatIsDrawnOverAPartTakesItsOutlinesPlace) {
+  const std::size_t count = contours(h).size();
+  const int place = place_of(h, "head");
+  const double size = std::abs(signed_area(outline(h, "head")));
+  draw_over("head", 1.2);
+  EXPECT_TRUE(h.active("Assign Head")) << "it is the likely one, though it has an outline";
+  h.key(ImGuiKey_Enter);
+  EXPECT_EQ(contours(h).size(), count);
+  EXPECT_EQ(place_of(h, "head"), place) << "as far in front as it was";
+  EXPECT_NEAR(std::abs(signed_area(outline(h, "head"))), 1.44 * size, 0.1 * size);
+  EXPECT_TRUE(h.active("Head"));
+  expect_step("Redraw Head");
+}
+
+TEST_F(Outline, WhatIsDrawnWithinAPartClearOfItsLineIsAHole) {
+  const std::vector<Vec2> was_head = outline(h, "head").points;
+  draw_over("head", 0.3);
+  while (!h.active("Assign Head")) h.key(ImGuiKey_Tab);
+  h.key(ImGuiKey_Enter);
+  EXPECT_EQ(outlines(h, "head").size(), 2u);
+  EXPECT_EQ(outline(h, "head").points, was_head);
+  expect_step("Draw Head");
 }
 
 TEST_F(Outline, TabGivesTheNewOutlineToTheNextCandidate) {
@@ -319,6 +360,7 @@ Vec2 joint_on_screen(const Harness& h, const std::string& name) {
 }
 
 TEST_F(Outline, AStrokeMayBeginOverAJointWhileAnotherOutlineWaits) {
+  begin_empty();
   const std::size_t count = contours(h).size();
   h.key(ImGuiKey_D);
   h.draw(circle(h.on_screen(60, 60), 30));
@@ -340,6 +382,7 @@ TEST_F(Outline, AClickOnAJointGivesItTheOutlineThatWaits) {
 }
 
 TEST_F(Outline, ACutMayBeginOverAJointWhileAnOutlineWaits) {
+  begin_empty();
   h.key(ImGuiKey_T);
   h.drag(h.on_screen(285, 600), {400, 0});  // the whole figure
   const std::size_t count = contours(h).size();
@@ -378,6 +421,7 @@ TEST_F(Outline, WhatWaitsIsKeptByJobsAndBySaving) {
 // ---------------------------------------------------------------- Trace
 
 TEST_F(Outline, TraceOutlinesTheShapeUnderThePointer) {
+  begin_empty();
   h.key(ImGuiKey_T);
   EXPECT_TRUE(h.active("Trace tool"));
   h.click(h.on_screen(285, 600));
@@ -389,6 +433,7 @@ TEST_F(Outline, TraceOutlinesTheShapeUnderThePointer) {
 }
 
 TEST_F(Outline, TraceTakesInMoreTheFartherItIsDragged) {
+  begin_empty();
   h.key(ImGuiKey_T);
   h.click(h.on_screen(285, 600));
   h.key(ImGuiKey_Enter);
@@ -399,6 +444,7 @@ TEST_F(Outline, TraceTakesInMoreTheFartherItIsDragged) {
 }
 
 TEST_F(Outline, ToleranceChangesWhatWasTraced) {
+  begin_empty();
   h.key(ImGuiKey_T);
   h.click(h.on_screen(285, 600));
   h.drag(h.middle("Tolerance"), {400, 0});

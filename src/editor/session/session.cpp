@@ -63,12 +63,15 @@ void Session::keep_new_outline() {
   const NewOutline fresh = std::move(*new_outline);
   new_outline.reset();
   const int joint = fresh.joints[std::size_t(fresh.choice)];
-  Document next = with_contour(document(), fresh.frame, {joint, fresh.line, ""});
-  const int contour = int(next.frames[std::size_t(fresh.frame)].contours.size()) - 1;
+  const ContourSet old =
+      contours_redrawn(document().frames[std::size_t(fresh.frame)], joint, fresh.line);
+  Document next = with_contour_over(document(), fresh.frame, {joint, fresh.line, ""});
+  const int last = int(next.frames[std::size_t(fresh.frame)].contours.size()) - 1;
+  const int contour = old.empty() ? last : *old.begin();
   for (const Polyline& hole : fresh.holes)
     next = with_contour(std::move(next), fresh.frame, {joint, hole, ""});
   const std::string part = joint_words(document().skeleton.joints[std::size_t(joint)].name).whole();
-  commit(fresh.verb + " " + part, std::move(next));
+  commit((old.empty() ? fresh.verb : "Redraw") + " " + part, std::move(next));
   if (fresh.frame != selection.frame) return;
   selection.joint = joint;
   selection.contour = contour;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "document/edit.h"
+#include "document/outline_edit.h"
 #include "editor/canvas/controls.h"
 #include "editor/canvas/pointer.h"
 #include "editor/canvas/sketch_paint.h"
@@ -144,7 +145,8 @@ void paint_pending(const App& app, const Rect& place, const OnScreen& on) {
   write_name({chip.x + 42 + text_width(Font::title, words.name), chip.y + 9, 20, 22}, Font::small,
              t.muted, shown_side(words));
   key_cap({chip.x + 12, chip.y + 36, 40, 18}, "Enter");
-  write({chip.x + 57, chip.y + 36, 40, 18}, Font::caption, t.muted, "keep");
+  const bool anew = !contours_redrawn(app.frame(), joint, fresh.line).empty();
+  write({chip.x + 57, chip.y + 36, 40, 18}, Font::caption, t.muted, anew ? "replace" : "keep");
   key_cap({chip.x + 94, chip.y + 36, 32, 18}, "Tab");
   write({chip.x + 131, chip.y + 36, 40, 18}, Font::caption, t.muted, "next");
 }
