@@ -1,6 +1,7 @@
 // Skeleton: what the pointer and the commands do to the rest pose.
 #include <gtest/gtest.h>
 
+#include "document/edit.h"
 #include "document/templates.h"
 #include "editor/step.h"
 
@@ -66,6 +67,31 @@ TEST_F(SkeletonMode, AChildOfOneSideComesOnBoth) {
 TEST_F(SkeletonMode, AClickOnNothingAddsNothingWhereNoneIsChosen) {
   h.click(h.on_screen(10, 10));
   expect_nothing_happened();
+TEST_F(SkeletonMode, ADragBesideAChosenJointAddsAWholeBone) {
+  choose("Hips");
+  const Vec2 from = h.middle("Joint Hips") + Vec2(90, 10);
+  h.drag(from, {50, 20});
+  ASSERT_EQ(size(), was.skeleton.size() + 4) << "on both sides";
+  const Skeleton& skeleton = h.document().skeleton;
+  const int start = was.skeleton.size(), end = start + 2;
+  EXPECT_EQ(skeleton.joints[std::size_t(start)].parent, 0);
+  EXPECT_EQ(skeleton.joints[std::size_t(end)].parent, start);
+  const auto seen = [&](int j) {
+    return h.middle("Joint " + joint_words(skeleton.joints[std::size_t(j)].name).whole());
+  };
+  EXPECT_LT((seen(start) - from).norm(), 1);
+  EXPECT_LT((seen(end) - from - Vec2(50, 20)).norm(), 1);
+  EXPECT_TRUE(h.active("Joint Hips")) << "the next limb may begin there";
+  expect_step("Add joint");
+}
+
+TEST_F(SkeletonMode, AClickThatSlipsAddsAJointAlone) {
+  choose("Head tip");
+  h.drag(h.middle("Joint Head tip") + Vec2(60, -10), {8, 0});
+  EXPECT_EQ(size(), was.skeleton.size() + 2);
+  expect_step("Add joint");
+}
+
 }
 
 TEST_F(SkeletonMode, DeleteTakesAJointAndItsMirrorImage) {

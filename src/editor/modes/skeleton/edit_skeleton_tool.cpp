@@ -1,19 +1,15 @@
-// Edit: a joint moves in every drawing. Beside a chosen joint, a click adds a child to it.
-#include "document/edit.h"
+// Edit: a joint moves in every drawing. Beside a chosen joint, a click adds a child to it, and a
+// drag a whole bone.
 #include "document/skeleton_edit.h"
 #include "editor/canvas/pointer.h"
 #include "editor/canvas/sketch_paint.h"
+#include "editor/modes/skeleton/skeleton_edits.h"
 #include "editor/session/app.h"
 #include "editor/ui/icons.h"
 #include "editor/ui/ui.h"
 
 namespace artisketch {
 namespace {
-
-// Where the pointer is in the world, as deep as a joint.
-Vec3 beneath(const FrameCamera& camera, const Transform& joint, const Vec2& at) {
-  return camera.ray(at).at_z(joint.translation().z());
-}
 
 // The next bone, before it is there.
 void paint_next_bone(const Pointer& p, ImVec2 from) {
@@ -29,6 +25,7 @@ class EditSkeletonTool : public Tool {
     const Joints joints(app);
     if (p.pressed) {
       gesture_ = app.session.begin_gesture();
+      begun_ = {};
       joint_ = joints.under(p, stage);
       if (joint_ >= 0)
         app.session.selection.joint = joint_;
@@ -36,9 +33,11 @@ class EditSkeletonTool : public Tool {
         add_child(app, joints, p);
       return;
     }
-    if (p.dragging && p.moved && app.session.goes_on(gesture_) && joint_ >= 0 &&
-        joint_ < int(joints.posed.size()))
-      move(app, joints, p);
+    if (!(p.dragging && p.moved && app.session.goes_on(gesture_))) return;
+    if (begun_.joint >= 0)
+      end_bone(app, p);
+    else if (joint_ >= 0 && joint_ < int(joints.posed.size()))
+      move_joint(app, joint_, p.at);
   }
 
   void paint(const App& app, const Pointer& p, const Stage& stage) const override {
@@ -54,11 +53,12 @@ class EditSkeletonTool : public Tool {
 
   std::string hint(const App& app) const override {
     return app.session.selection.joint >= 0
-               ? "Click beside the joint to add the next one, or drag it.  F2 names, Delete "
+               ? "Beside the joint, a click adds the next one, a drag a whole bone.  F2 names, "
+                 "Delete "
                  "removes, Esc lets go."
                : "Drag joints to where they belong; every drawing follows.";
   }
-  void cancel(App&) override { joint_ = -1; }
+  void cancel(App&) override { joint_ = begun_.joint = -1; }
 
  private:
   struct Joints {
@@ -75,32 +75,35 @@ class EditSkeletonTool : public Tool {
   void add_child(App& app, const Joints& joints, const Pointer& p) {
     const int parent = app.session.selection.joint;
     const Transform& above = joints.posed[std::size_t(parent)];
-    const Vec3 offset = above.inverse() * beneath(joints.camera, above, p.at);
+    const Vec3 offset = above.inverse() * as_deep_as(above, joints.camera, p.at);
     const int at = app.document().skeleton.size();
     app.session.commit("Add joint",
                        with_joint_added(app.document(), parent, offset, app.view.both_sides));
-    app.session.selection.joint = joint_ = at;
+    app.session.selection.joint = at;
     app.session.go_on_amending();
+    begun_ = {app.document(), Joints(app).posed[std::size_t(at)], parent, at};
   }
 
-  void move(App& app, const Joints& joints, const Pointer& p) const {
-    const Vec3 target = beneath(joints.camera, joints.posed[std::size_t(joint_)], p.at);
-    const int parent = app.document().skeleton.joints[std::size_t(joint_)].parent;
-    if (parent < 0) {
-      Pose pose = app.frame().pose;
-      pose.root_position = target;
-      app.session.change("Move body",
-                         with_pose(app.document(), app.session.selection.frame, std::move(pose)));
-      return;
-    }
-    app.session.change("Move " + part_words(app, joint_),
-                       with_joint_moved(app.document(), joint_,
-                                        joints.posed[std::size_t(parent)].inverse() * target,
+  // The bone that begins with the joint just added ends under the pointer. What it hangs on stays
+  // chosen, for the next limb.
+  void end_bone(App& app, const Pointer& p) const {
+    constexpr float kShortest = 16;  // points: a click may slip
+    if (apart(p.from, p.screen) < kShortest) return;
+    const Vec3 end = as_deep_as(begun_.start, Joints(app).camera, p.at);
+    app.session.change("Add joint",
+                       with_joint_added(begun_.document, begun_.joint, begun_.start.inverse() * end,
                                         app.view.both_sides));
+    app.session.selection.joint = begun_.parent;
   }
 
   long gesture_ = 0;
   int joint_ = -1;  // that is dragged
+  // What a press beside the chosen joint began.
+  struct {
+    Document document;                        // with the joint that it added
+    Transform start = Transform::Identity();  // of that joint, as it is drawn
+    int parent = -1, joint = -1;
+  } begun_;
 };
 
 }  // namespace
