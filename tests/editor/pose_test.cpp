@@ -51,6 +51,35 @@ TEST_F(PoseMode, TheRootMovesTheBody) {
   expect_step("Move body");
 }
 
+TEST_F(PoseMode, ArrowKeysMoveTheChosenJointInOneStep) {
+  choose("Hand L");
+  const Vec2 from = h.middle("Joint Hand L");
+  for (int i = 0; i < 3; ++i) h.key(ImGuiKey_LeftArrow);
+  h.key(ImGuiKey_UpArrow, ImGuiMod_Shift);
+  EXPECT_LT((h.middle("Joint Hand L") - from - zoom(h) * Vec2(-3, -10)).norm(), 1);
+  expect_others_as_before();
+  EXPECT_TRUE(h.state().undo.starts_with("Bend "));
+  expect_step(h.state().undo);
+}
+
+TEST_F(PoseMode, ArrowKeysThatDoAnotherThingAreAnotherStep) {
+  choose("Hand L");
+  h.key(ImGuiKey_LeftArrow);
+  begin();
+  h.key(ImGuiKey_RightArrow, ImGuiMod_Ctrl);
+  expect_step("Turn body");
+}
+
+TEST_F(PoseMode, ArrowKeysWithCtrlTurnTheBody) {
+  for (int i = 0; i < 6; ++i) h.key(ImGuiKey_RightArrow, ImGuiMod_Ctrl);
+  EXPECT_NEAR(turned(h, was, "hips"), radians(30), 1e-6);
+  const Pose& pose = h.document().frames[0].pose;
+  EXPECT_GT((pose.rotations[0] * Vec3::UnitZ()).x(),
+            (was.frames[0].pose.rotations[0] * Vec3::UnitZ()).x())
+      << "what faces the viewer goes right";
+  expect_step("Turn body");
+}
+
 TEST_F(PoseMode, TheWheelTwistsTheChosenJoint) {
   choose("Forearm L");
   const double zoom_before = zoom(h);

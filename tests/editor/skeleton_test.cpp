@@ -41,6 +41,16 @@ TEST_F(SkeletonMode, DragMovesOneSideAloneWhereSidesAreApart) {
   expect_step("Move Hand L");
 }
 
+TEST_F(SkeletonMode, ArrowKeysMoveTheChosenJointInOneStep) {
+  choose("Hand L");
+  const Vec2 from = h.middle("Joint Hand L");
+  h.key(ImGuiKey_RightArrow);
+  h.key(ImGuiKey_RightArrow);
+  h.key(ImGuiKey_DownArrow, ImGuiMod_Shift);
+  EXPECT_LT((h.middle("Joint Hand L") - from - zoom(h) * Vec2(2, 10)).norm(), 1);
+  expect_step("Move Hand L");
+}
+
 TEST_F(SkeletonMode, TheRootMovesTheBodyInThisDrawingAlone) {
   h.drag(h.middle("Joint Hips"), {30, 0});
   EXPECT_NE(h.document().frames[0].pose.root_position, was.frames[0].pose.root_position);
@@ -57,16 +67,6 @@ TEST_F(SkeletonMode, AClickBesideAChosenJointAddsAChild) {
   expect_step("Add joint");
 }
 
-TEST_F(SkeletonMode, AChildOfOneSideComesOnBoth) {
-  choose("Hand tip L");
-  h.click(h.middle("Joint Hand tip L") + Vec2(30, 20));
-  EXPECT_EQ(size(), was.skeleton.size() + 2);
-  expect_step("Add joint");
-}
-
-TEST_F(SkeletonMode, AClickOnNothingAddsNothingWhereNoneIsChosen) {
-  h.click(h.on_screen(10, 10));
-  expect_nothing_happened();
 TEST_F(SkeletonMode, ADragBesideAChosenJointAddsAWholeBone) {
   choose("Hips");
   const Vec2 from = h.middle("Joint Hips") + Vec2(90, 10);
@@ -92,6 +92,16 @@ TEST_F(SkeletonMode, AClickThatSlipsAddsAJointAlone) {
   expect_step("Add joint");
 }
 
+TEST_F(SkeletonMode, AChildOfOneSideComesOnBoth) {
+  choose("Hand tip L");
+  h.click(h.middle("Joint Hand tip L") + Vec2(30, 20));
+  EXPECT_EQ(size(), was.skeleton.size() + 2);
+  expect_step("Add joint");
+}
+
+TEST_F(SkeletonMode, AClickOnNothingAddsNothingWhereNoneIsChosen) {
+  h.click(h.on_screen(10, 10));
+  expect_nothing_happened();
 }
 
 TEST_F(SkeletonMode, DeleteTakesAJointAndItsMirrorImage) {

@@ -25,6 +25,14 @@ const char* key_name(ImGuiKey key) {
       return "]";
     case ImGuiKey_Escape:
       return "Esc";
+    case ImGuiKey_LeftArrow:
+      return "←";
+    case ImGuiKey_RightArrow:
+      return "→";
+    case ImGuiKey_UpArrow:
+      return "↑";
+    case ImGuiKey_DownArrow:
+      return "↓";
     default:
       return ImGui::GetKeyName(key);
   }

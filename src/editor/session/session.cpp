@@ -48,7 +48,9 @@ long Session::begin_gesture() {
 }
 
 void Session::change(const std::string& undo_name, Document next) {
-  if (!std::exchange(gesture_moved_, true)) return commit(undo_name, std::move(next));
+  // Keys held one after the other may do different things.
+  const bool first = !std::exchange(gesture_moved_, true);
+  if (first || history.undo_name() != undo_name) return commit(undo_name, std::move(next));
   history.amend(std::move(next));
   settle();
 }

@@ -4,6 +4,7 @@
 #include "document/skeleton_edit.h"
 #include "editor/canvas/pointer.h"
 #include "editor/modes/mode_commands.h"
+#include "editor/modes/nudging.h"
 #include "editor/modes/outline/copy_to.h"
 #include "editor/modes/outline/outline_all.h"
 #include "editor/modes/outline/outline_edits.h"
@@ -198,19 +199,13 @@ void simplify(App& app) {
   app.session.commit("Simplify " + outlines_words(app, chosen), std::move(next));
 }
 
-// One pixel of the drawing, ten with Shift. Until something else is done it is one step of undo.
-template <int x, int y>
-void nudge(App& app) {
-  Session& session = app.session;
-  Nudging& nudging = session.nudging;
-  if (!session.goes_on(nudging.gesture) || nudging.revision != session.history.revision())
-    nudging.gesture = session.begin_gesture();
-  const ContourSet chosen = session.chosen_outlines();
+void nudge(App& app, const Vec2& by) {
+  const ContourSet chosen = app.session.chosen_outlines();
   PictureMap map = PictureMap::Identity();
-  map.translate((ImGui::GetIO().KeyShift ? 10 : 1) * Vec2(x, y));
-  session.change("Move " + outlines_words(app, chosen),
-                 with_contours_mapped(app.document(), session.selection.frame, chosen, map));
-  nudging.revision = session.history.revision();
+  map.translate(by);
+  app.session.change(
+      "Move " + outlines_words(app, chosen),
+      with_contours_mapped(app.document(), app.session.selection.frame, chosen, map));
 }
 
 template <int by>
@@ -424,19 +419,6 @@ std::vector<Command> commands_of_several() {
   };
 }
 
-Command nudging(const char* id, const char* name, ImGuiKey key, const char* words,
-                void (*run)(App&)) {
-  Command row;
-  row.id = id;
-  row.name = name;
-  row.key = key;
-  row.key_words = words;
-  row.any_shift = row.repeats = true;
-  row.available = is_chosen;
-  row.run = run;
-  return row;
-}
-
 }  // namespace
 
 std::vector<Command> outline_commands() {
@@ -445,11 +427,8 @@ std::vector<Command> outline_commands() {
   for (Command& command : commands_of_things()) all.push_back(std::move(command));
   for (Command& command : all) command.in_menu = true;
   for (Command& command : commands_of_several()) all.push_back(std::move(command));
-  all.push_back(
-      nudging("nudge_left", "Left by 1 px, with Shift 10", ImGuiKey_LeftArrow, "←", nudge<-1, 0>));
-  all.push_back(nudging("nudge_right", "Right", ImGuiKey_RightArrow, "→", nudge<1, 0>));
-  all.push_back(nudging("nudge_up", "Up", ImGuiKey_UpArrow, "↑", nudge<0, -1>));
-  all.push_back(nudging("nudge_down", "Down", ImGuiKey_DownArrow, "↓", nudge<0, 1>));
+  for (Command& command : nudge_commands("nudge", is_chosen, nudge))
+    all.push_back(std::move(command));
   for (Command& command : all) command.mode = Mode::outline;
   return all;
 }

@@ -3,6 +3,8 @@
 #include "document/posing.h"
 #include "editor/canvas/pointer.h"
 #include "editor/modes/mode_commands.h"
+#include "editor/modes/nudging.h"
+#include "editor/modes/pose/pose_edits.h"
 #include "editor/modes/pose/pose_suggest.h"
 #include "editor/session/app.h"
 #include "editor/session/commands.h"
@@ -34,6 +36,45 @@ void reset_pose(App& app) {
 void take_pose_as_it_is(App& app) {
   app.session.commit("Take pose as it is",
                      with_frame_posed(app.document(), app.session.selection.frame));
+}
+
+bool is_chosen(const App& app) {
+  return app.session.selection.joint >= 0 && app.has_frame();
+}
+
+void nudge(App& app, const Vec2& by) {
+  const int joint = app.session.selection.joint;
+  const Transform at = posed_joints(app.document().skeleton, app.frame().pose)[std::size_t(joint)];
+  const FrameCamera camera = frame_camera(app.document(), app.session.selection.frame);
+  drag_joint(app, joint, camera.project(at.translation()) + by);
+}
+
+// The body, as a drag of the ball beside it does.
+std::vector<Command> turning_commands() {
+  struct Way {
+    const char *id, *name;
+    ImGuiKey key;
+    Vec3 axis;
+  };
+  const Way ways[] = {{"turn_left", "Turn the body left", ImGuiKey_LeftArrow, -Vec3::UnitY()},
+                      {"turn_right", "Turn the body right", ImGuiKey_RightArrow, Vec3::UnitY()},
+                      {"turn_up", "Turn the body up", ImGuiKey_UpArrow, -Vec3::UnitX()},
+                      {"turn_down", "Turn the body down", ImGuiKey_DownArrow, Vec3::UnitX()}};
+  constexpr double kStep = 5;  // degrees
+  std::vector<Command> rows;
+  for (const Way& way : ways) {
+    Command row;
+    row.id = way.id;
+    row.name = way.name;
+    row.key = way.key;
+    row.ctrl = row.repeats = true;
+    row.available = [](const App& app) { return app.has_frame(); };
+    row.run = held_down([axis = way.axis](App& app) {
+      turn_body(app, Quat(Eigen::AngleAxisd(radians(kStep), axis)));
+    });
+    rows.push_back(std::move(row));
+  }
+  return rows;
 }
 
 std::string suggest_lacks(const App& app) {
@@ -97,6 +138,11 @@ std::vector<Command> pose_commands() {
     command.in_rail =
         command.id != std::string_view("posed_here");  // the panel has it, where asked
   }
+  for (const auto& some : {nudge_commands("nudge_joint", is_chosen, nudge), turning_commands()})
+    for (const Command& command : some) {
+      all.push_back(command);
+      all.back().mode = Mode::pose;
+    }
   return all;
 }
 

@@ -6,6 +6,8 @@
 
 namespace artisketch {
 
+// The joint to a pixel of the drawing; its limb follows.
+void drag_joint(App& app, int joint, const Vec2& pixel);
 void turn_body(App& app, const Quat& turn);
 // The chosen joint's bone about itself; radians.
 void twist_bone(App& app, double angle);

@@ -15,7 +15,8 @@ class PoseTool : public Tool {
       gesture_ = app.session.begin_gesture();
       app.session.selection.joint = joint_ = joint_under(app, p, stage);
     }
-    if (p.dragging && p.moved && joint_ >= 0 && app.session.goes_on(gesture_)) drag(app, p);
+    if (p.dragging && p.moved && joint_ >= 0 && app.session.goes_on(gesture_))
+      drag_joint(app, joint_, p.at);
     if (p.hovered && p.wheel != 0 && takes_wheel(app, p, stage))
       twist_bone(app, radians(kTwistPerNotch * double(p.wheel)));
   }
@@ -36,20 +37,6 @@ class PoseTool : public Tool {
   static int joint_under(const App& app, const Pointer& p, const Stage& stage) {
     return joint_at(posed_joints(app.document().skeleton, app.frame().pose),
                     frame_camera(app.document(), app.session.selection.frame), stage.on, p.screen);
-  }
-
-  void drag(App& app, const Pointer& p) const {
-    app.session.proposal.reset();
-    const Skeleton& skeleton = app.document().skeleton;
-    const int frame = app.session.selection.frame;
-    const int bones = bones_dragged(skeleton, joint_);
-    int turned = joint_;
-    for (int b = 0; b < bones; ++b) turned = skeleton.joints[std::size_t(turned)].parent;
-    app.session.change(
-        bones > 0 ? "Bend " + part_words(app, turned) : "Move body",
-        with_pose(app.document(), frame,
-                  with_joint_dragged(skeleton, app.frame().pose,
-                                     frame_camera(app.document(), frame), joint_, p.at)));
   }
 
   long gesture_ = 0;

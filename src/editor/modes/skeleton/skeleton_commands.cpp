@@ -5,6 +5,8 @@
 #include "document/skeleton_edit.h"
 #include "editor/canvas/pointer.h"
 #include "editor/modes/mode_commands.h"
+#include "editor/modes/nudging.h"
+#include "editor/modes/skeleton/skeleton_edits.h"
 #include "editor/session/app.h"
 #include "editor/ui/icons.h"
 #include "editor/ui/keys.h"
@@ -14,6 +16,17 @@ namespace {
 
 bool is_chosen(const App& app) {
   return app.session.selection.joint >= 0;
+}
+
+void nudge(App& app, const Vec2& by) {
+  const int joint = app.session.selection.joint;
+  const Transform at = posed_joints(app.document().skeleton, app.drawn_pose())[std::size_t(joint)];
+  const FrameCamera camera = frame_camera(app.document(), app.session.selection.frame);
+  move_joint(app, joint, camera.project(at.translation()) + by);
+}
+
+bool is_seen(const App& app) {
+  return is_chosen(app) && app.has_frame();
 }
 
 void equalise(App& app) {
@@ -80,7 +93,10 @@ std::vector<Command> skeleton_commands() {
        .available = is_chosen,
        .run = delete_joint},
   };
-  for (Command& command : all) command.mode = Mode::skeleton, command.in_rail = true;
+  for (Command& command : all) command.in_rail = true;
+  for (Command& command : nudge_commands("nudge_bone", is_seen, nudge))
+    all.push_back(std::move(command));
+  for (Command& command : all) command.mode = Mode::skeleton;
   return all;
 }
 
