@@ -51,6 +51,18 @@ list(JOIN icons "," icons)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS src/editor/ui/icons.h)
 artisketch_embedded_font(kIcons "${ARTISKETCH_ICONS_DIR}/materialdesignicons-webfont.ttf" "${icons}")
 
+# ---------------------------------------------------------------- the guide
+
+# docs/GUIDE.md as a page, which the editor shows.
+set(ARTISKETCH_GUIDE "${CMAKE_BINARY_DIR}/guide/index.html")
+file(GLOB pictures CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/docs/guide/*.png")
+add_custom_command(OUTPUT "${ARTISKETCH_GUIDE}" VERBATIM
+  COMMAND "${ARTISKETCH_PYTHON}" "${PROJECT_SOURCE_DIR}/cmake/guide.py" "${PROJECT_SOURCE_DIR}/docs/GUIDE.md"
+          "${PROJECT_SOURCE_DIR}/docs/guide" "${CMAKE_BINARY_DIR}/guide"
+  DEPENDS "${PROJECT_SOURCE_DIR}/docs/GUIDE.md" "${PROJECT_SOURCE_DIR}/cmake/guide.py" ${pictures}
+  COMMENT "Making the guide's page")
+add_custom_target(artisketch_guide DEPENDS "${ARTISKETCH_GUIDE}")
+
 # ---------------------------------------------------------------- the editor
 
 # 5  editor: ImGui only here. No folder includes one that stands below it in this list:
@@ -140,6 +152,7 @@ if(NOT EMSCRIPTEN)
   target_link_libraries(artisketch_window PUBLIC GLESv2)
   add_executable(artisketch-editor EXCLUDE_FROM_ALL native_main/editor_main.cpp native_main/desktop.cpp native_main/kept_work.cpp native_main/seen_files.cpp native_main/script.cpp)
   target_link_libraries(artisketch-editor PRIVATE artisketch_window artisketch::json artisketch_warnings)
+  add_dependencies(artisketch-editor artisketch_guide)
   # Beside the program, as where it is installed.
   file(GLOB beside CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/assets/languages/*.txt"
        "${PROJECT_SOURCE_DIR}/assets/gallery/*/*")

@@ -42,6 +42,7 @@ foreach(name IN ITEMS hero fox robot heart circles)
   install(DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/examples/${name}" OPTIONAL
     DESTINATION "${CMAKE_INSTALL_DATADIR}/artisketch/examples")
 endforeach()
+install(DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/guide" OPTIONAL DESTINATION "${CMAKE_INSTALL_DATADIR}/artisketch")
 install(DIRECTORY assets/gallery DESTINATION "${CMAKE_INSTALL_DATADIR}/artisketch")
 
 set(CPACK_GENERATOR DEB TGZ)

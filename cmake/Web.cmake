@@ -95,7 +95,7 @@ foreach(name IN LISTS examples)
     COMMAND "${ARTISKETCH_NODE}" "${PROJECT_SOURCE_DIR}/web/pack.mjs" "${folder}/${name}.artisketch"
             "${packed}.artisketch"
     COMMAND "${ARTISKETCH_NODE}" --no-experimental-fetch $<TARGET_FILE:artisketch> reconstruct
-            "${folder}/${name}.artisketch" -o "${packed}.glb" --grid 64 --triangles 5300 --compress --quiet
+            "${folder}/${name}.artisketch" -o "${packed}.glb" --grid 64 --triangles 5000 --compress --quiet
     COMMAND "${ARTISKETCH_NODE}" --no-experimental-fetch $<TARGET_FILE:artisketch> render "${packed}.glb"
             -o "${packed}.png" --clear --frame 1 --yaw 25 --pitch 8 --size 120x144
     DEPENDS artisketch web/pack.mjs "${folder}/${name}.artisketch" ${drawings}
@@ -124,6 +124,6 @@ endforeach()
 file(GLOB page CONFIGURE_DEPENDS web/*.js web/*.html web/*.css web/*.mjs assets/languages/*.txt)
 add_custom_command(OUTPUT "${CMAKE_BINARY_DIR}/artisketch.html" VERBATIM
   COMMAND "${ARTISKETCH_NODE}" "${PROJECT_SOURCE_DIR}/web/assemble.mjs" "${CMAKE_BINARY_DIR}" ${examples} -- ${figures}
-  DEPENDS editor core ${made} ${page}
+  DEPENDS editor core "${ARTISKETCH_GUIDE}" ${made} ${page}
   COMMENT "Putting the page together")
 add_custom_target(site DEPENDS "${CMAKE_BINARY_DIR}/artisketch.html")

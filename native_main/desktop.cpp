@@ -71,6 +71,7 @@ constexpr const char *kAutosave = "autosave", *kLeft = "left";  // the editor's 
 Desktop::Desktop(fs::path assets)
     : examples_(assets / "examples"),
       gallery_(assets / "gallery"),
+      guide_(assets / "guide" / "index.html"),
       languages_(assets / "languages"),
       kept_(kept_folder()),
       work_(kept_) {}
@@ -266,6 +267,16 @@ std::string Desktop::language() {
 void Desktop::load_words(const std::string& code, std::function<void(std::string)> then) {
   const Result<std::string> text = read_file((languages_ / (code + ".txt")).string());
   then(text ? *text : std::string());
+}
+
+bool Desktop::has_guide() {
+  std::error_code ignored;
+  return fs::exists(guide_, ignored);
+}
+
+void Desktop::show_guide() {
+  std::error_code ignored;
+  SDL_OpenURL(("file://" + fs::absolute(guide_, ignored).string()).c_str());
 }
 
 void Desktop::set_title(const std::string& title, bool unsaved) {

@@ -18,7 +18,8 @@ namespace artisketch {
 class Desktop : public Platform {
  public:
   // assets: folder of examples/NAME/NAME.artisketch, NAME.glb and NAME.png, of
-  // gallery/NAME/NAME.artisketch and model.png, and of languages/CODE.txt.
+  // gallery/NAME/NAME.artisketch and model.png, of guide/index.html, and of
+  // languages/CODE.txt.
   explicit Desktop(std::filesystem::path assets);
   ~Desktop() override;
 
@@ -40,6 +41,8 @@ class Desktop : public Platform {
                             std::function<void(std::string)> then) override;
   std::string language() override;
   void load_words(const std::string& code, std::function<void(std::string)> then) override;
+  bool has_guide() override;
+  void show_guide() override;
   void set_title(const std::string& title, bool unsaved) override;
   bool prefers_dark() override { return true; }
   int default_grid() override { return 100; }
@@ -51,7 +54,7 @@ class Desktop : public Platform {
   void ask(std::string command, std::function<void(std::vector<std::string>)> then);
   void remember(const std::string& place);
 
-  std::filesystem::path examples_, gallery_, languages_, kept_;
+  std::filesystem::path examples_, gallery_, guide_, languages_, kept_;
   KeptWork work_;
   SeenFiles seen_;
   SDL_Window* window_ = nullptr;

@@ -2,11 +2,12 @@
 // OUT/artisketch.html, all of it in one file that works from disk.
 //   node assemble.mjs OUT EXAMPLE… -- FIGURE…
 // Its languages' words are fetched when they are asked for.
-// OUT holds editor.js, editor.wasm, core.js, core.wasm, examples/NAME.artisketch, .glb and .png, and
-// gallery/NAME.artisketch and .png. The first example comes with its model; the others are made where they
-// are opened. The gallery's figures are fetched one by one; the single file comes without them.
+// OUT holds editor.js, editor.wasm, core.js, core.wasm, examples/NAME.artisketch, .glb and .png,
+// gallery/NAME.artisketch and .png, and guide/index.html with its pictures. The first example comes with its model; the others are made where they
+// are opened. The gallery's figures are fetched one by one; the single file comes without them
+// and without the guide.
 import { createHash } from 'node:crypto';
-import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { copyFileSync, cpSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
@@ -66,6 +67,7 @@ for (const name of gallery) {
 }
 for (const [name, text] of scripts) writeFileSync(join(site, name), text);
 writeFileSync(join(site, 'page.css'), style);
+cpSync(join(out, 'guide'), join(site, 'guide'), {recursive: true});
 writeFileSync(join(site, 'index.html'), page({
   POLICY: policy({
     'script-src': "'self' 'wasm-unsafe-eval'", 'style-src': "'self'", 'connect-src': "'self'",

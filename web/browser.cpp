@@ -32,6 +32,8 @@ EM_JS(void, host_load_words, (int question, const char* code), {
 EM_JS(void, host_title, (const char* title, bool unsaved), {
   Module.host.title(UTF8ToString(title), unsaved);
 });
+EM_JS(bool, host_has_guide, (), { return Module.host.hasGuide(); });
+EM_JS(void, host_show_guide, (), { Module.host.showGuide(); });
 EM_JS(bool, host_prefers_dark, (), { return Module.host.prefersDark(); });
 EM_JS(void, host_wake, (), { Module.host.wake(); });
 EM_JS(bool, host_mac_keys, (), { return Module.host.macKeys(); });
@@ -91,6 +93,14 @@ void Browser::load_example_picture(const std::string& name, std::function<void(s
 void Browser::load_words(const std::string& code, std::function<void(std::string)> then) {
   loading_[++questions_] = std::move(then);
   host_load_words(questions_, code.c_str());
+}
+
+bool Browser::has_guide() {
+  return host_has_guide();
+}
+
+void Browser::show_guide() {
+  host_show_guide();
 }
 
 void Browser::set_title(const std::string& title, bool unsaved) {

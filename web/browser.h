@@ -30,6 +30,8 @@ class Browser : public Platform {
                             std::function<void(std::string)> then) override;
   std::string language() override { return language_; }
   void load_words(const std::string& code, std::function<void(std::string)> then) override;
+  bool has_guide() override;
+  void show_guide() override;
   void set_title(const std::string& title, bool unsaved) override;
   bool prefers_dark() override;
   int default_grid() override { return 64; }

@@ -358,6 +358,8 @@ const artisketch = (() => {
       document.title = unsavedWork ? `• ${title}` : title;
       unsaved = unsavedWork;
     },
+    hasGuide: () => !inside('core.wasm'), // the single file comes without it
+    showGuide: () => open('guide/index.html', '_blank', 'noopener'),
     prefersDark: () => matchMedia('(prefers-color-scheme: dark)').matches,
     macKeys: () => /Mac|iPhone|iPad/.test(navigator.platform),
     copy(text) {

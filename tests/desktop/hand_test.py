@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What a hand does in sheets and dialogs: figures picked on a sheet, a drawing cropped, a part split, the
 hints of the modes, the export sheet."""
-import pathlib, subprocess
+import os, pathlib, subprocess, tempfile
 
 from editor_window import Window, examples, pictures, run
 
@@ -58,6 +58,26 @@ def each_mode_says_what_one_does():
         window.close()
 
 
+def the_guide_opens_in_the_systems_browser():
+    window_path = os.environ["PATH"]
+    tools = pathlib.Path(tempfile.mkdtemp())
+    shown = tools / "shown"
+    opener = tools / "xdg-open"  # in the place of the system's
+    opener.write_text(f'#!/bin/sh\nprintf %s "$1" > "{shown}.new" && mv "{shown}.new" "{shown}"\n')
+    opener.chmod(0o755)
+    os.environ["PATH"] = f"{tools}:{window_path}"
+    window = Window("1280x720", examples / "hero/hero.artisketch")
+    os.environ["PATH"] = window_path
+    window.click("Shortcuts")
+    window.click("Guide")
+    window.wait(shown.exists, why="the guide")
+    place = shown.read_text()
+    assert place.startswith("file://"), place
+    page = pathlib.Path(place.removeprefix("file://"))
+    assert "3. Outlines (1)" in page.read_text() and (page.parent / "skeleton.png").exists(), place
+    window.close()
+
+
 def a_part_is_split_by_its_menu():
     window = Window("1440x900", examples / "hero/hero.artisketch")
     joints = len(window.state()["joints"])
@@ -97,5 +117,5 @@ def clips_and_sizes_are_chosen_to_export():
     window.close()
 
 
-run(figures_are_picked_on_a_sheet, each_mode_says_what_one_does, a_part_is_split_by_its_menu,
-    clips_and_sizes_are_chosen_to_export)
+run(figures_are_picked_on_a_sheet, each_mode_says_what_one_does, the_guide_opens_in_the_systems_browser,
+    a_part_is_split_by_its_menu, clips_and_sizes_are_chosen_to_export)

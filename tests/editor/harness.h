@@ -43,6 +43,8 @@ class MemoryPlatform : public Platform {
   std::string title;
   bool unsaved_shown = false;
   bool dark = true, mac = false;
+  bool guide = true;  // comes with the program
+  int guide_shown = 0;
   std::string speaks = "en";  // the system
   double clock = 100;         // seconds
 
@@ -61,6 +63,8 @@ class MemoryPlatform : public Platform {
   std::string language() override { return speaks; }
   void load_words(const std::string& code, std::function<void(std::string)> then) override;
   void set_title(const std::string& words, bool unsaved) override;
+  bool has_guide() override { return guide; }
+  void show_guide() override { ++guide_shown; }
   bool prefers_dark() override { return dark; }
   int default_grid() override { return 24; }
   void request_frame() override {}

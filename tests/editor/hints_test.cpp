@@ -64,6 +64,23 @@ TEST_F(HintsShown, TheyComeBackFromTheMenuAndFromTheShortcuts) {
   expect_nothing_happened();
 }
 
+TEST_F(HintsShown, TheShortcutsTheMenuAndAKeyLeadToTheGuide) {
+  h.key(ImGuiKey_Escape);
+  h.key(ImGuiKey_Slash, ImGuiMod_Shift);
+  h.click("Guide");
+  EXPECT_EQ(h.platform.guide_shown, 1);
+  h.key(ImGuiKey_Escape);
+  h.click("Menu");
+  h.click("Menu Guide");
+  EXPECT_EQ(h.platform.guide_shown, 2);
+  h.key(ImGuiKey_F1);
+  EXPECT_EQ(h.platform.guide_shown, 3);
+  h.platform.guide = false;
+  h.key(ImGuiKey_Slash, ImGuiMod_Shift);
+  EXPECT_EQ(h.find("Guide"), nullptr) << "this copy came without it";
+  expect_nothing_happened();
+}
+
 TEST_F(HintsShown, ThePictureMovesAndThenTheWindowRests) {
   h.wait(1);
   const std::vector<float> then = painted();

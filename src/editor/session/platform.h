@@ -76,6 +76,10 @@ class Platform {
   virtual std::string language() = 0;
   virtual void load_words(const std::string& code, std::function<void(std::string)> then) = 0;
 
+  // The guide, as a page in the system's browser or another tab, where this place has it.
+  virtual bool has_guide() = 0;
+  virtual void show_guide() = 0;
+
   // The window's or the tab's title; unsaved work makes its closing ask.
   virtual void set_title(const std::string& title, bool unsaved) = 0;
   virtual bool prefers_dark() = 0;

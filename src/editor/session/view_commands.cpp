@@ -191,6 +191,13 @@ std::vector<Command> view_commands() {
                        app.view.hints.mode = app.view.mode;
                        app.view.hints.since = app.services.now;
                      }});
+  all.push_back({.id = "guide",
+                 .name = "Guide",
+                 .icon = icon::kFileDocumentBox,
+                 .about = "All of it, step by step, with pictures",
+                 .key = ImGuiKey_F1,
+                 .available = [](const App& app) { return app.services.platform.has_guide(); },
+                 .run = [](App& app) { app.services.platform.show_guide(); }});
   all.push_back({.id = "help",
                  .name = "Shortcuts",
                  .icon = icon::kHelpCircleOutline,

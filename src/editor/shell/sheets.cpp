@@ -77,6 +77,7 @@ void main_menu(App& app, const Rect& button) {
   if (!recents.empty()) gap();
   command("theme");
   command("hints");
+  command("guide");
   command("help");
   gap();
   choose_language_in(app, column.cut_top(kRow).inset(10, 0));
@@ -182,13 +183,15 @@ void shortcut_sheet(App& app, float width, float height) {
   if (!app.view.help) return;
   const Theme& t = theme();
   const int columns = width < 760 ? 1 : 3;
+  const Command& guide = command(app, "guide");
+  const float around = 92 + (available(app, guide) ? 44.0f : 0);
   const std::vector<std::vector<Shortcut>> all = shortcut_columns(app, columns);
   std::size_t rows = 0;
   for (const std::vector<Shortcut>& lines : all) rows = std::max(rows, lines.size());
-  const float line = std::clamp((height - 24 - 92) / float(rows), 16.0f, 26.0f);
+  const float line = std::clamp((height - 24 - around) / float(rows), 16.0f, 26.0f);
   const Rect place =
       Rect{0, 0, width, height}.middle(std::min(290.0f * float(columns) + 40, width - 24),
-                                       std::min(line * float(rows) + 92, height - 16));
+                                       std::min(line * float(rows) + around, height - 16));
   if (!over_all(place, width, height)) {
     app.view.help = false;
     return;
@@ -201,6 +204,11 @@ void shortcut_sheet(App& app, float width, float height) {
     const float wide = text_width(Font::body, hints.name) + 24 + 32;
     const Rect there{head.right() - 40 - wide, head.y + 6, wide, 32};
     if (button(hints.name, there, command_look(app, hints))) hints.run(app);
+  }
+  if (available(app, guide)) {
+    const float wide = text_width(Font::body_bold, guide.name) + 88;
+    const Rect there{place.x + 24, place.bottom() - 52, wide, 36};
+    if (button(guide.name, there, command_look(app, guide))) guide.run(app);
   }
   const float column = (place.w - 48) / float(columns);
   for (std::size_t c = 0; c < all.size(); ++c)
