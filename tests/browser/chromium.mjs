@@ -131,6 +131,25 @@ export class Editor {
     await this.page.mouse.click(x + width / 2, y + height / 2);
   }
 
+  // By the keyboard alone: F6 leads to the controls, Tab by Tab to the one of that name, as a screen reader
+  // has it; Enter presses it.
+  async press(label) {
+    const {page} = this, {keyboard} = page;
+    const button = page.getByRole('button', {name: label, exact: true}).first();
+    await button.waitFor({state: 'attached'});
+    await this.once(async () => { // it stands where the control does
+      const [{x, y}, seen] = [await this.widget(label), await button.boundingBox()];
+      return seen && Math.hypot(seen.x - x, seen.y - y) < 1;
+    });
+    const focused = () => page.evaluate(() => document.activeElement.textContent);
+    await keyboard.press('F6');
+    for (let tabs = 0; await focused() !== label; tabs++) {
+      if (tabs > 300) throw new Error(`Tab never comes to ${label}`);
+      await keyboard.press('Tab');
+    }
+    await keyboard.press('Enter');
+  }
+
   // The file that `action` makes the page download.
   async download(action) {
     const [download] = await Promise.all([this.page.waitForEvent('download', {timeout: patience}), action()]);
