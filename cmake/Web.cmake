@@ -95,7 +95,7 @@ foreach(name IN LISTS examples)
     COMMAND "${ARTISKETCH_NODE}" "${PROJECT_SOURCE_DIR}/web/pack.mjs" "${folder}/${name}.artisketch"
             "${packed}.artisketch"
     COMMAND "${ARTISKETCH_NODE}" --no-experimental-fetch $<TARGET_FILE:artisketch> reconstruct
-            "${folder}/${name}.artisketch" -o "${packed}.glb" --grid 64 --triangles 5000 --compress --quiet
+            "${folder}/${name}.artisketch" -o "${packed}.glb" --grid 64 --triangles 4800 --compress --quiet
     COMMAND "${ARTISKETCH_NODE}" --no-experimental-fetch $<TARGET_FILE:artisketch> render "${packed}.glb"
             -o "${packed}.png" --clear --frame 1 --yaw 25 --pitch 8 --size 120x144
     DEPENDS artisketch web/pack.mjs "${folder}/${name}.artisketch" ${drawings}
