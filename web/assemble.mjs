@@ -3,9 +3,9 @@
 //   node assemble.mjs OUT EXAMPLE… -- FIGURE…
 // Its languages' words are fetched when they are asked for.
 // OUT holds editor.js, editor.wasm, core.js, core.wasm, examples/NAME.artisketch, .glb and .png,
-// gallery/NAME.artisketch and .png, and guide/index.html with its pictures. The first example comes with its model; the others are made where they
-// are opened. The gallery's figures are fetched one by one; the single file comes without them
-// and without the guide.
+// gallery/NAME.artisketch and .png, and guide/index.html with its pictures. The first example comes with its
+// model; the others are made where they are opened. The gallery's figures are fetched one by one; the single
+// file comes without them and without the guide.
 import { createHash } from 'node:crypto';
 import { copyFileSync, cpSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';

@@ -59,23 +59,24 @@ def each_mode_says_what_one_does():
 
 
 def the_guide_opens_in_the_systems_browser():
-    window_path = os.environ["PATH"]
-    tools = pathlib.Path(tempfile.mkdtemp())
-    shown = tools / "shown"
-    opener = tools / "xdg-open"  # in the place of the system's
-    opener.write_text(f'#!/bin/sh\nprintf %s "$1" > "{shown}.new" && mv "{shown}.new" "{shown}"\n')
-    opener.chmod(0o755)
-    os.environ["PATH"] = f"{tools}:{window_path}"
-    window = Window("1280x720", examples / "hero/hero.artisketch")
-    os.environ["PATH"] = window_path
-    window.click("Shortcuts")
-    window.click("Guide")
-    window.wait(shown.exists, why="the guide")
-    place = shown.read_text()
-    assert place.startswith("file://"), place
-    page = pathlib.Path(place.removeprefix("file://"))
-    assert "3. Outlines (1)" in page.read_text() and (page.parent / "skeleton.png").exists(), place
-    window.close()
+    with tempfile.TemporaryDirectory() as folder:
+        tools = pathlib.Path(folder)
+        shown = tools / "shown"
+        opener = tools / "xdg-open"  # in the place of the system's
+        opener.write_text(f'#!/bin/sh\nprintf %s "$1" > "{shown}.new" && mv "{shown}.new" "{shown}"\n')
+        opener.chmod(0o755)
+        usual_path = os.environ["PATH"]
+        os.environ["PATH"] = f"{tools}:{usual_path}"
+        window = Window("1280x720", examples / "hero/hero.artisketch")
+        os.environ["PATH"] = usual_path
+        window.click("Shortcuts")
+        window.click("Guide")
+        window.wait(shown.exists, why="the guide")
+        place = shown.read_text()
+        assert place.startswith("file://"), place
+        page = pathlib.Path(place.removeprefix("file://"))
+        assert "3. Outlines (1)" in page.read_text() and (page.parent / "skeleton.png").exists(), place
+        window.close()
 
 
 def a_part_is_split_by_its_menu():

@@ -2,6 +2,8 @@
 // else is done that is one step of undo.
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "editor/session/app.h"
